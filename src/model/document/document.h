@@ -1,0 +1,77 @@
+// A project being edited: its values, its undo history, one signal for every change.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include "model/document/change.h"
+#include "model/document/project.h"
+#include "model/progress.h"
+#include "sim/result.h"
+
+namespace windfall::model {
+
+/// Reading is const; every change goes through `push` and so through the undo stack, but for what is no edit
+/// (setView, setSimulation, setVariantImages). Lives on the GUI thread.
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  const Project& project() const { return project_; }
+  QUndoStack& undoStack() { return undo_; }
+  const QUndoStack& undoStack() const { return undo_; }
+  bool isModified() const { return !undo_.isClean(); }
+  /// Empty until saved or opened.
+  QString path() const { return path_; }
+
+  /// Replaces the project; the undo history starts anew.
+  void open(Project project, const QString& path);
+  /// Reads and opens; on error nothing changes.
+  Status load(const QString& path, Progress& progress);
+  Status save(const QString& path, Progress& progress);
+
+  /// Property edits. Consecutive edits with the same non-empty `merge` key become one undo step; an edit that ends where
+  /// it began drops out.
+  template <class T>
+  void setLeaf(AssetId id, T Leaf::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
+  template <class T>
+  void setPlant(AssetId id, T Plant::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
+  template <class T>
+  void setTree(AssetId id, T TreePlacement::*member, T value, const QString& text, const QString& merge = {});
+  template <class T>
+  void setScene(T Scene::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
+
+  /// A brush stroke: the mask before and after; keeps only the tiles that differ.
+  void paintMask(AssetId leaf, const QImage& after, QRect dirty, const QString& text);
+
+  /// Assets; each is one undo step and returns the new id. Names are made unique.
+  AssetId addLeaf(Leaf leaf);
+  AssetId addPlant(Plant plant);
+  AssetId addTree(TreePlacement tree);
+  AssetId duplicate(AssetId asset);
+  void rename(AssetId asset, const QString& name);
+  /// Removes a leaf, a plant (and its trees) or a tree; references to it are removed with it.
+  void remove(AssetId asset);
+
+  /// Not edits: saved with the project, no undo step, no modified mark.
+  void setView(const ViewState& view);
+  void setSimulation(const SimulationState& state);
+
+ signals:
+  void changed(const windfall::model::Change& change);
+  void modifiedChanged(bool modified);
+
+ private:
+  friend class DocumentCommand;
+  void apply(const Change& change);
+
+  Project project_;
+  QUndoStack undo_;
+  QString path_;
+};
+
+}  // namespace windfall::model
+
+#include "model/document/set_property.h"

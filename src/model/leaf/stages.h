@@ -1,0 +1,66 @@
+// From a photo to its structure, stage by stage; each stage can be computed, looked at and timed alone.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QSize>
+#include <QString>
+#include <map>
+#include <vector>
+
+#include "model/leaf/leaf.h"
+#include "model/progress.h"
+#include "sim/result.h"
+
+namespace windfall::model {
+
+/// A number a pixel, row by row.
+struct ScalarField {
+  QSize size;
+  std::vector<float> values;
+};
+
+/// A region a pixel: 0 outside, 1.. regions.
+struct LabelField {
+  QSize size;
+  std::vector<qint32> values;
+  int count = 0;
+};
+
+enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants };
+
+/// What was derived from a leaf. Working images have the long side `parameters.synthesis.size` at most; contour, root,
+/// tip and veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).
+struct LeafStages {
+  QImage photo;       ///< RGBA8888, EXIF rotation applied, photo size
+  QImage mask;        ///< Grayscale8, photo size
+  double scale = 1;
+  std::vector<QPointF> border;   ///< every border pixel in order, counter-clockwise seen with y up
+  std::vector<QPointF> contour;  ///< simplified by RDP
+  QPointF root, tip;
+  Veins veins;
+  ScalarField distance;      ///< structural distance, 0..1 (99.5 percentile), 0 outside
+  ScalarField veinDistance;  ///< distance to the nearest vein over twice its 95th percentile
+  std::vector<QPointF> markers;  ///< in photo pixels, those that were used
+  LabelField regions;
+  LabelField superpixels;
+  Stage reached = Stage::Photo;
+  std::map<QString, double> seconds;  ///< wall clock of each stage by name
+};
+
+/// Reads a picture (JPEG, PNG, 8 or 16 bit) as RGBA8888 with EXIF rotation applied.
+Result<QImage> readPhoto(const SourceFile& file);
+
+/// Computes every stage up to `last`. An error says which stage found what ("no leaf found: …").
+Result<LeafStages> computeStages(const Leaf& leaf, Stage last, Progress& progress);
+
+/// A new texture in the shape of `target` with the colours of `example` (often the same leaf): RGBA, straight alpha,
+/// colours spread under the transparent pixels, long side `target parameters.synthesis.size`. Deterministic by seed.
+Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, const SynthesisParameters& parameters,
+                          quint64 seed, Progress& progress);
+
+/// The picture of one stage, photo size, to be laid over the photo: mask tint, contour and points, veins, distance as
+/// colours, regions, superpixels.
+QImage stagePicture(const LeafStages& stages, Stage stage);
+
+}  // namespace windfall::model

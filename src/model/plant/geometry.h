@@ -1,0 +1,60 @@
+// What an importer or a grower makes: skeleton, skinned mesh, materials. SI units, Y up.
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/math.h"
+#include "sim/tree.h"
+
+namespace windfall::model {
+
+/// A bone at rest; parents stand before children.
+struct Bone {
+  QString name;     ///< unique in its plant
+  int parent = -1;
+  vec3 head{0}, tail{0};  ///< m, plant space
+  float radius = 0;       ///< m, mean of the mesh's cross-section along the bone
+  bool weighted = true;
+};
+
+/// Skinned vertex; up to four influences (more are cut to the four largest and renormalised).
+struct Vertex {
+  vec3 position, normal;
+  vec2 uv{0};
+  std::array<std::uint32_t, 4> bones{};
+  std::array<float, 4> weights{};
+};
+
+struct Material {
+  QString name;
+  vec4 baseColor{0.5f, 0.5f, 0.5f, 1};  ///< linear
+  QImage texture;                       ///< null: none
+  float roughness = 0.8f;
+  bool leaf = false;      ///< foliage: name, alpha or small components say so
+  bool doubleSided = false;
+};
+
+/// A run of triangles with one material.
+struct MeshPart {
+  std::uint32_t firstIndex = 0, indexCount = 0;
+  int material = 0;
+  bool hidden = false;  ///< its leaves became instances
+};
+
+struct PlantGeometry {
+  QString format;  ///< "fbx", "glb", "gltf", "grown"
+  std::vector<Bone> bones;
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<MeshPart> parts;
+  std::vector<Material> materials;
+  int nodes = 0;          ///< scene nodes in the file
+  int maxInfluences = 0;  ///< before any cut
+  std::vector<sim::LeafSite> leafSites;  ///< leaves found in the mesh or placed by the grower; links are bone indices
+};
+
+}  // namespace windfall::model

@@ -1,0 +1,33 @@
+// From a project to what the simulation and the renderer need.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "model/document/project.h"
+#include "model/leaf/atlas.h"
+#include "model/plant/bodies.h"
+#include "model/progress.h"
+#include "sim/engine.h"
+#include "sim/result.h"
+
+namespace windfall::model {
+
+/// A plant, loaded: shared by all trees that show it.
+struct LoadedPlant {
+  std::shared_ptr<const PlantGeometry> geometry;
+  std::shared_ptr<const PlantBodies> bodies;
+};
+
+struct SceneAssembly {
+  std::map<AssetId, LoadedPlant> plants;
+  std::vector<AssetId> trees;  ///< placements, in the order of sim.trees
+  std::vector<LeafTexture> leafTextures;  ///< layers of the texture array; never empty (a plain drawn leaf stands in)
+  sim::SceneDescription sim;   ///< link i of tree t is bone `bodies->boneOfLink` of its geometry, scaled and placed
+};
+
+/// Loads every plant of the scene, textures its leaves from the kept variants, and describes the simulation.
+Result<SceneAssembly> assembleScene(const Project& project, Progress& progress);
+
+}  // namespace windfall::model

@@ -1,0 +1,41 @@
+// The scene: which trees stand where, the wind, the leaves, the light.
+#pragma once
+
+#include <QString>
+#include <QVector3D>
+#include <vector>
+
+#include "model/ids.h"
+#include "sim/settings.h"
+
+namespace windfall::model {
+
+/// A tree of the scene: a plant, placed.
+struct TreePlacement {
+  AssetId id;
+  QString name;
+  AssetId plant;
+  QVector3D position;   ///< m
+  double heading = 0;   ///< degrees about the vertical
+  double scale = 1;
+  bool operator==(const TreePlacement&) const = default;
+};
+
+struct Light {
+  double azimuth = 135;   ///< degrees, clockwise from north (-Z)
+  double elevation = 38;  ///< degrees above the horizon
+  double strength = 1;
+  bool operator==(const Light&) const = default;
+};
+
+struct Scene {
+  std::vector<TreePlacement> trees;
+  sim::WindSettings wind;
+  sim::LeafSettings leaves;
+  sim::SolverSettings solver;
+  Light light;
+  quint64 seed = 1;
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace windfall::model

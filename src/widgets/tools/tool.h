@@ -1,0 +1,64 @@
+// Tools of the image pane: small state machines over plain events, tested without a window.
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QRect>
+#include <QString>
+#include <Qt>
+#include <memory>
+#include <vector>
+
+#include "model/document/document.h"
+
+class QPainter;
+
+namespace windfall::widgets {
+
+/// A pointer event in photo pixels.
+struct ToolEvent {
+  QPointF position;
+  Qt::MouseButtons buttons;
+  Qt::KeyboardModifiers modifiers;
+  double pressure = 1;  ///< 0..1
+  qint64 time = 0;      ///< ms
+};
+
+/// What a tool may ask of whoever hosts it.
+class ToolHost {
+ public:
+  virtual ~ToolHost() = default;
+  virtual model::Document& document() = 0;
+  /// The leaf shown; 0: none, and then tools get no events.
+  virtual model::AssetId leaf() const = 0;
+  /// Mask as shown now: the artist's, or the automatic one.
+  virtual QImage currentMask() const = 0;
+  /// Draws an unfinished stroke without touching the document; a null image ends it.
+  virtual void previewMask(const QImage& mask, QRect dirty) = 0;
+  /// Photo pixels that a screen pixel covers, for handles and hit tests.
+  virtual double pixelSize() const = 0;
+  virtual void requestUpdate() = 0;
+};
+
+class Tool {
+ public:
+  virtual ~Tool() = default;
+  virtual QString id() const = 0;       ///< "brush"; names the icon too
+  virtual QString title() const = 0;    ///< translated
+  virtual QString help() const = 0;     ///< one translated line for the status bar
+  virtual QKeySequence shortcut() const = 0;
+  virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
+
+  virtual void press(const ToolEvent&, ToolHost&) {}
+  virtual void move(const ToolEvent&, ToolHost&) {}
+  virtual void release(const ToolEvent&, ToolHost&) {}
+  /// Esc, a change of tool, another leaf, closing: back to where the stroke began.
+  virtual void cancel(ToolHost&) {}
+  /// Brush circle, handles; photo coordinates.
+  virtual void paint(QPainter&, const ToolHost&) const {}
+};
+
+/// Every tool of the leaf workspace, in the order of the work. A new tool is one file and one line in tools.cpp.
+std::vector<std::unique_ptr<Tool>> makeLeafTools();
+
+}  // namespace windfall::widgets

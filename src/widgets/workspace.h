@@ -1,0 +1,53 @@
+// One tab of the main window: a canvas in the middle, tools, an inspector, a strip below.
+#pragma once
+
+#include <QAction>
+#include <QJsonObject>
+#include <QList>
+#include <QObject>
+#include <QString>
+
+#include "model/document/document.h"
+#include "model/document/job.h"
+
+class QMenu;
+
+namespace windfall::widgets {
+
+/// What every workspace works on. Messages go to the message area with a level; status text to its right end.
+struct WorkspaceContext {
+  model::Document& document;
+  model::JobRunner& jobs;
+};
+
+/// The widgets are created by the workspace, parented by the main window, and live as long as the workspace.
+class Workspace : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  virtual QString id() const = 0;     ///< "leaf", "plant", "scene"
+  virtual QString title() const = 0;  ///< translated
+  virtual QWidget* canvas() = 0;
+  virtual QWidget* inspector() = 0;
+  virtual QWidget* strip() = 0;
+  /// Tools of the left bar, in the order of the work; the checkable ones are exclusive.
+  virtual QList<QAction*> tools() = 0;
+  /// Fills the workspace's own menu.
+  virtual void fillMenu(QMenu& menu) = 0;
+  /// Its tab was opened or left (then strokes are cancelled, playing pauses).
+  virtual void activate() {}
+  virtual void deactivate() {}
+  /// Shows an asset (a double click in the asset list).
+  virtual void show(model::AssetId) {}
+  /// Zoom, splitters: saved with the project's layout.
+  virtual QJsonObject saveView() const { return {}; }
+  virtual void restoreView(const QJsonObject&) {}
+  /// Nothing is being computed any more for what is shown (pictures for the docs, tests).
+  virtual bool isSettled() const { return true; }
+
+ signals:
+  void message(const QString& text, bool isError);
+  void status(const QString& text);
+};
+
+}  // namespace windfall::widgets
