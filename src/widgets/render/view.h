@@ -1,0 +1,27 @@
+// From where a scene is seen, and in which light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/math.h"
+
+namespace windfall::render {
+
+/// What a frame may cost. Standard is meant for live views on any machine, High for pictures that are kept.
+enum class Quality { Draft, Standard, High };
+
+struct View {
+  vec3 eye{0, 4, 16}, target{0, 4, 0};  ///< m, world
+  float fieldOfView = 0.7f;             ///< radians, vertical
+  int width = 1280, height = 720;       ///< px of the framebuffer
+  vec3 toSun{0.5f, 0.6f, 0.6f};         ///< direction; need not be a unit vector
+  float sunStrength = 1;
+  float exposure = 0;                      ///< stops; 0 suits a clear day
+  float time = 0;                          ///< s, for clouds and grass
+  vec3 wind{0};                            ///< m/s, for clouds and grass
+  std::vector<std::uint32_t> highlighted;  ///< links of all trees, in the bone buffer's order
+  Quality quality = Quality::Standard;
+};
+
+}  // namespace windfall::render
