@@ -10,10 +10,23 @@ namespace windfall::model {
 enum class Aspect {
   Everything,  ///< another project was opened
   Assets,      ///< leaf or plant added, removed, renamed
-  LeafPhoto, LeafMask, LeafRoot, LeafVeins, LeafMarkers, LeafParameters, LeafVariants,
-  PlantSource, PlantEdits, PlantLeaves,
-  SceneTrees, Wind, FallingLeaves, Solver, Light,
-  Simulation, View,
+  LeafPhoto,
+  LeafMask,
+  LeafRoot,
+  LeafVeins,
+  LeafMarkers,
+  LeafParameters,
+  LeafVariants,
+  PlantSource,
+  PlantEdits,
+  PlantLeaves,
+  SceneTrees,
+  Wind,
+  FallingLeaves,
+  Solver,
+  Light,
+  Simulation,
+  View,
 };
 
 /// `asset` is 0 where the whole scene is meant; `dirty` is the changed part of an image, empty: all of it.

@@ -12,12 +12,13 @@
 
 namespace windfall::model {
 
-/// Reading is const; every change goes through `push` and so through the undo stack, but for what is no edit
-/// (setView, setSimulation, setVariantImages). Lives on the GUI thread.
+/// Reading is const; every change is a command on the undo stack, but for what is no edit (setView, setSimulation).
+/// A call that names an id which does not exist does nothing. Lives on the GUI thread.
 class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(QObject* parent = nullptr);
+  ~Document() override;
 
   const Project& project() const { return project_; }
   QUndoStack& undoStack() { return undo_; }
@@ -32,8 +33,8 @@ class Document : public QObject {
   Status load(const QString& path, Progress& progress);
   Status save(const QString& path, Progress& progress);
 
-  /// Property edits. Consecutive edits with the same non-empty `merge` key become one undo step; an edit that ends where
-  /// it began drops out.
+  /// Property edits. Consecutive edits with the same non-empty `merge` key become one undo step; an edit that ends
+  /// where it began drops out.
   template <class T>
   void setLeaf(AssetId id, T Leaf::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
   template <class T>
@@ -43,10 +44,13 @@ class Document : public QObject {
   template <class T>
   void setScene(T Scene::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
 
-  /// A brush stroke: the mask before and after; keeps only the tiles that differ.
+  /// A brush stroke: `after` becomes the leaf's mask. Only 64 px tiles that differ are kept, searched inside `dirty`
+  /// (empty: everywhere); the first stroke on an automatic mask keeps the whole picture.
   void paintMask(AssetId leaf, const QImage& after, QRect dirty, const QString& text);
 
-  /// Assets; each is one undo step and returns the new id. Names are made unique.
+  /// Assets; each is one undo step and returns the new id, 0 where it cannot be (a tree of no plant). Names are made
+  /// unique among their kind ("Oak", "Oak 2"); ids are never used again, not even after undo. The argument's own id is
+  /// ignored. A duplicate stands behind its original and equals it but for id and name.
   AssetId addLeaf(Leaf leaf);
   AssetId addPlant(Plant plant);
   AssetId addTree(TreePlacement tree);
@@ -65,9 +69,14 @@ class Document : public QObject {
 
  private:
   friend class DocumentCommand;
-  void apply(const Change& change);
+  template <class Owner, class T>
+  void setProperty(AssetId id, T Owner::*member, T value, Aspect aspect, const QString& text, const QString& merge);
+  template <class T>
+  AssetId insert(T asset, qsizetype place);
+  AssetId takeId();
 
   Project project_;
+  quint64 highestId_ = 0;  ///< ever given out here; undoing an addition lowers project_.nextId again
   QUndoStack undo_;
   QString path_;
 };

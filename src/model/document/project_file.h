@@ -15,7 +15,8 @@ inline constexpr int schemaVersion = 1;
 /// Reads a project. One clear line for a damaged, truncated, newer or hostile file.
 Result<Project> readProject(const QString& path, Progress& progress);
 
-/// Writes beside the target, syncs, renames: the old file is whole until the new one is. Equal projects give equal bytes.
+/// Writes beside the target, syncs, renames: the old file is whole until the new one is. Equal projects give equal
+/// bytes.
 Status writeProject(const Project& project, const QString& path, Progress& progress);
 
 }  // namespace windfall::model
