@@ -43,9 +43,9 @@ class ToolHost {
 class Tool {
  public:
   virtual ~Tool() = default;
-  virtual QString id() const = 0;       ///< "brush"; names the icon too
-  virtual QString title() const = 0;    ///< translated
-  virtual QString help() const = 0;     ///< one translated line for the status bar
+  virtual QString id() const = 0;     ///< "brush"; names the icon too
+  virtual QString title() const = 0;  ///< translated
+  virtual QString help() const = 0;   ///< one translated line for the status bar
   virtual QKeySequence shortcut() const = 0;
   virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 
