@@ -73,7 +73,7 @@ const Colors& colors(Scheme scheme) {
                            .warning = "#e8b85a",
                            .error = "#f0857a"};
   static const Colors light{.canvas = "#d5dad5",
-                            .panel = "#f4f6f3",
+                            .panel = "#eceeeb",
                             .field = "#ffffff",
                             .hover = "#e4e9e3",
                             .border = "#ccd3cb",
