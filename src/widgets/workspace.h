@@ -34,6 +34,17 @@ class Workspace : public QObject {
   virtual QList<QAction*> tools() = 0;
   /// Fills the workspace's own menu.
   virtual void fillMenu(QMenu& menu) = 0;
+  /// Stands at the right end of the top bar in every workspace (the scene's choice of device); null: nothing.
+  virtual QWidget* corner() { return nullptr; }
+  /// Takes a file that was dropped or chosen; false: not of its kind, and nothing happened.
+  virtual bool openFile(const QString& path) {
+    Q_UNUSED(path);
+    return false;
+  }
+  /// The plus of its group in the asset list: asks for what to add.
+  virtual void add() {}
+  /// Ctrl+E: exports again to where it went last, or asks; with `elsewhere` asks always.
+  virtual void exportResult(bool elsewhere) { Q_UNUSED(elsewhere); }
   /// Its tab was opened or left (then strokes are cancelled, playing pauses).
   virtual void activate() {}
   virtual void deactivate() {}
