@@ -14,10 +14,10 @@ struct LeafInstance {
   vec3 position;
   float size;
   vec4 rotation;
-  std::uint32_t layer;   ///< layer of the leaf texture array
-  std::uint32_t state;   ///< LeafState
-  float curl;            ///< 0 flat and fresh .. 1 dry and curled
-  float tint;            ///< -1..1, per-leaf variation of brightness and hue
+  std::uint32_t layer;  ///< layer of the leaf texture array
+  std::uint32_t state;  ///< LeafState
+  float curl;           ///< 0 flat and fresh .. 1 dry and curled
+  float tint;           ///< -1..1, per-leaf variation of brightness and hue
 };
 static_assert(sizeof(LeafInstance) == 48);
 

@@ -1,4 +1,5 @@
-// Counter-based random numbers: a value is a function of its seed and its counters, the same on every device, in any order.
+// Counter-based random numbers: a value is a function of its seed and its counters, the same on every device, in any
+// order.
 #pragma once
 
 #include <cmath>

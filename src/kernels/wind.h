@@ -7,13 +7,13 @@
 
 namespace windfall {
 
-/// A regular lattice of air velocities around the scene, x fastest, then y, then z. The pointer lies in the memory of the
-/// device that uses it. Outside, the nearest border value holds.
+/// A regular lattice of air velocities around the scene, x fastest, then y, then z. The pointer lies in the memory of
+/// the device that uses it. Outside, the nearest border value holds.
 struct WindView {
   const vec4* velocity = nullptr;  ///< m/s; w unused
   int nx = 0, ny = 0, nz = 0;
-  vec3 origin{0};      ///< m, place of sample (0, 0, 0)
-  vec3 perMetre{1};    ///< cells a metre
+  vec3 origin{0};    ///< m, place of sample (0, 0, 0)
+  vec3 perMetre{1};  ///< cells a metre
 };
 
 /// Trilinear sample, m/s.

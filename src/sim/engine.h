@@ -43,13 +43,13 @@ struct SceneDescription {
 
 /// A row of the trace, and what the window shows.
 struct Statistics {
-  double time = 0;             ///< s
-  float tipDisplacement = 0;   ///< m, tip of the highest branch from rest
-  float largestAngle = 0;      ///< rad, largest joint rotation now
-  double kineticEnergy = 0;    ///< J
-  double elasticEnergy = 0;    ///< J
+  double time = 0;            ///< s
+  float tipDisplacement = 0;  ///< m, tip of the highest branch from rest
+  float largestAngle = 0;     ///< rad, largest joint rotation now
+  double kineticEnergy = 0;   ///< J
+  double elasticEnergy = 0;   ///< J
   std::int32_t attached = 0, airborne = 0, grounded = 0;
-  double fallTimeSum = 0;      ///< s, over leaves that have landed since the start
+  double fallTimeSum = 0;  ///< s, over leaves that have landed since the start
   std::int64_t landed = 0;
 };
 
@@ -96,7 +96,7 @@ class Engine {
   virtual DeviceInfo device() const = 0;
   /// Empty, or one line on what went wrong on the device.
   virtual std::string deviceProblem() const = 0;
-  double time() const { return statistics().time; }
+  virtual double time() const = 0;
 
   /// The whole state (time, poses, leaves) as bytes, and back. `restore` refuses bytes of another scene or version.
   virtual std::vector<std::uint8_t> save() const = 0;
@@ -107,6 +107,7 @@ class Engine {
  protected:
   virtual double stepLength() const = 0;
   double accumulator_ = 0;
+  double between_ = 1;  ///< what is shown: 0 the step before the last .. 1 the last; `step` sets 1, `advance` the rest
 };
 
 }  // namespace windfall::sim

@@ -12,17 +12,17 @@ namespace windfall::sim {
 /// A rigid link, one to one with an imported bone. SI units. Rest pose in the tree's own space (Y up, metres).
 /// The link's local +z runs along the branch from its joint (tree_dynamics.md, 1).
 struct Link {
-  std::int32_t parent = -1;  ///< index of the parent link, always smaller than the own index; -1: stands on the ground
-  std::int32_t chain = 0;    ///< index of the botanical axis (branch)
-  std::int32_t order = 0;    ///< 0 trunk, 1 limb, 2 and on: twig
-  vec3 joint{0};             ///< rest position of the joint
+  std::int32_t parent = -1;   ///< index of the parent link, always smaller than the own index; -1: stands on the ground
+  std::int32_t chain = 0;     ///< index of the botanical axis (branch)
+  std::int32_t order = 0;     ///< 0 trunk, 1 limb, 2 and on: twig
+  vec3 joint{0};              ///< rest position of the joint
   quat rotation{1, 0, 0, 0};  ///< rest rotation, link to tree
-  float length = 0;          ///< m
-  float radius = 0;          ///< mean of the two ends, m
-  float leafArea = 0;        ///< one-sided area of the leaves carried, m2
-  float woodDensity = 950;   ///< green wood with water, kg/m3
+  float length = 0;           ///< m
+  float radius = 0;           ///< mean of the two ends, m
+  float leafArea = 0;         ///< one-sided area of the leaves carried, m2
+  float woodDensity = 950;    ///< green wood with water, kg/m3
   float youngsModulus = 6e9f;  ///< Pa
-  float stiffnessScale = 1;  ///< artist's multipliers (tree_dynamics.md, 2.5)
+  float stiffnessScale = 1;    ///< artist's multipliers (tree_dynamics.md, 2.5)
   float dampingScale = 1;
   float windScale = 1;
 };
@@ -51,7 +51,7 @@ struct Placement {
 
 /// Masses of one link (tree_dynamics.md, 2.1).
 struct LinkMass {
-  float wood = 0;   ///< kg
+  float wood = 0;    ///< kg
   float leaves = 0;  ///< kg
 };
 LinkMass massOf(const Link& link);
@@ -59,7 +59,8 @@ LinkMass massOf(const Link& link);
 /// Mass of wood and leaves of the whole tree, kg.
 double totalMass(const Tree& tree);
 
-/// First sway frequency of the whole tree in Hz by inverse iteration (tree_dynamics.md, 2.7); 0 for a tree without links.
+/// First sway frequency of the whole tree in Hz by inverse iteration (tree_dynamics.md, 2.7); 0 for a tree without
+/// links.
 double firstFrequency(const Tree& tree);
 
 }  // namespace windfall::sim

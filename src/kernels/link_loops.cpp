@@ -1,0 +1,28 @@
+#include "kernels/link_loops.h"
+
+#include "kernels/link_step.h"
+#include "kernels/targets.h"
+
+namespace windfall {
+
+WINDFALL_TARGETS void linkForcesRange(const LinksView& links, const WindView& wind, std::uint32_t begin,
+                                      std::uint32_t end) {
+  for (std::uint32_t i = begin; i < end; ++i) linkForces(links, wind, i);
+}
+
+WINDFALL_TARGETS LinkLoad linkUpRange(const LinksView& links, const LinkStepParameters& step, std::uint32_t begin,
+                                      std::uint32_t end) {
+  for (std::uint32_t i = end; --i > begin;) addLoad(links.load[links.shape[i].parent], linkUp(links, step, i));
+  return linkUp(links, step, begin);
+}
+
+WINDFALL_TARGETS void linkDownRange(const LinksView& links, const LinkStepParameters& step, std::uint32_t begin,
+                                    std::uint32_t end) {
+  for (std::uint32_t i = begin; i < end; ++i) linkDown(links, step, i);
+}
+
+WINDFALL_TARGETS void linkPoseRange(const LinksView& links, std::uint32_t begin, std::uint32_t end) {
+  for (std::uint32_t i = begin; i < end; ++i) linkPose(links, i);
+}
+
+}  // namespace windfall

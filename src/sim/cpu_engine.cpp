@@ -1,0 +1,276 @@
+#include "sim/cpu_engine.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "kernels/rotation.h"
+#include "sim/state_bytes.h"
+
+namespace windfall::sim {
+
+namespace {
+
+/// Box around everything that can move, with room to sway and to be blown away, m.
+struct Box {
+  vec3 lower{-5, 0, -5}, upper{5, 10, 5};
+};
+
+Box windBox(const SceneDescription& scene) {
+  Box box;
+  for (const TreeInstance& instance : scene.trees) {
+    const quat turn = glm::angleAxis(instance.placement.heading, vec3(0, 1, 0));
+    for (const Link& link : instance.tree->links) {
+      const vec3 joint = instance.placement.position + turn * link.joint;
+      const vec3 tip = joint + turn * (link.rotation * vec3(0, 0, link.length));
+      box.lower = glm::min(box.lower, glm::min(joint, tip));
+      box.upper = glm::max(box.upper, glm::max(joint, tip));
+    }
+  }
+  box.upper.y = std::max(box.upper.y * 1.15f, scene.leaves.spawnHeight) + 1;
+  const float side = 3 + 0.3f * box.upper.y;
+  box.lower = vec3(box.lower.x - side, 0, box.lower.z - side);
+  box.upper += vec3(side, 0, side);
+  return box;
+}
+
+WindField makeWind(const SceneDescription& scene, int threads) {
+  const Box box = windBox(scene);
+  return WindField(box.lower, box.upper, scene.wind, threads);
+}
+
+FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, double time) {
+  FactorSettings settings;
+  settings.h = static_cast<double>(scene.solver.step);
+  settings.dampingRatio = static_cast<double>(scene.solver.structuralDamping);
+  settings.windSpeed = static_cast<double>(wind.level(time));
+  settings.windDirection = glm::dvec3(wind.direction());
+  return settings;
+}
+
+class Stopwatch {
+ public:
+  /// Milliseconds since the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - start_).count();
+    start_ = now;
+    return ms;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+vec4 plain(const quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+}  // namespace
+
+CpuEngine::CpuEngine(SceneDescription scene, int threads)
+    : scene_(std::move(scene)),
+      threads_(threads > 0 ? threads : omp_get_max_threads()),
+      wind_(makeWind(scene_, threads_)),
+      trees_(scene_.trees, settingsOf(scene_, wind_, 0), threads_) {
+  float highest = -1e30f;
+  for (const TreeInstance& instance : scene_.trees) {
+    for (const Link& link : instance.tree->links) {
+      restRotations_.push_back(inverse(plain(link.rotation)));
+      restPositions_.push_back(link.joint);
+      const std::size_t index = restPositions_.size() - 1;
+      const LinkState& state = trees_.current()[index];
+      const vec3 tip = placeOf(state, vec3(0, 0, link.length));
+      if (tip.y > highest) {
+        highest = tip.y;
+        tipLink_ = index;
+        tipRest_ = tip;
+      }
+    }
+  }
+  wind_.advance(0);
+}
+
+double CpuEngine::time() const { return static_cast<double>(steps_) * stepLength(); }
+
+FactorSettings CpuEngine::factorSettings() const { return settingsOf(scene_, wind_, time()); }
+
+void CpuEngine::followWind() {
+  const FactorSettings wanted = factorSettings();
+  const FactorSettings& used = trees_.settings();
+  if (wanted.windSpeed != used.windSpeed || wanted.windDirection != used.windDirection) trees_.factorise(wanted);
+}
+
+void CpuEngine::step() {
+  Stopwatch watch;
+  const double h = stepLength();
+  omp_set_num_threads(threads_);
+  followWind();
+  wind_.advance(time() + 0.5 * h);
+  timers_.wind = watch.lap();
+  trees_.step(wind_.view());
+  timers_.trees = watch.lap();
+  ++steps_;
+  between_ = 1;
+}
+
+void CpuEngine::reset() {
+  steps_ = 0;
+  accumulator_ = 0;
+  between_ = 1;
+  wind_.restore({});
+  trees_.reset();
+  followWind();
+  wind_.advance(0);
+}
+
+void CpuEngine::setWind(const WindSettings& wind) {
+  if (wind == wind_.settings()) return;
+  wind_.set(wind, time());
+  scene_.wind = wind;
+}
+
+void CpuEngine::setLeaves(const LeafSettings& leaves) { scene_.leaves = leaves; }
+
+void CpuEngine::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) {
+  if (instance >= scene_.trees.size() || !tree || tree->links.size() != scene_.trees[instance].tree->links.size())
+    return;
+  if (!problemOf(*tree).empty()) return;
+  scene_.trees[instance].tree = tree;
+  trees_.setTree(instance, std::move(tree));
+}
+
+std::size_t CpuEngine::leafCount() const { return 0; }
+
+void CpuEngine::write(std::span<mat4> boneMatrices, std::span<LeafInstance>) {
+  Stopwatch watch;
+  const float f = static_cast<float>(between_);
+  const std::span<const LinkState> before = trees_.previous(), after = trees_.current();
+  const auto count = static_cast<std::ptrdiff_t>(std::min(boneMatrices.size(), after.size()));
+#pragma omp parallel for schedule(static) num_threads(threads_) if (count > 4096)
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const vec4& a = before[i].rotation;
+    vec4 b = after[i].rotation;
+    if (glm::dot(a, b) < 0) b = -b;
+    const vec4 mixed = glm::normalize(a * (1 - f) + b * f);
+    const vec3 position = before[i].position * (1 - f) + after[i].position * f;
+    const vec4 turn = compose(mixed, restRotations_[i]);
+    const quat q(turn.w, turn.x, turn.y, turn.z);
+    mat4 bone = glm::mat4_cast(q);
+    bone[3] = vec4(position - rotate(turn, restPositions_[i]), 1);
+    boneMatrices[i] = bone;
+  }
+  timers_.output = watch.lap();
+}
+
+Statistics CpuEngine::statistics() const {
+  Statistics s;
+  s.time = time();
+  if (trees_.size() > 0) {
+    const LinkState& state = trees_.current()[tipLink_];
+    const float length = 2 * trees_.shapes()[tipLink_].halfLength;
+    s.tipDisplacement = glm::length(placeOf(state, vec3(0, 0, length)) - tipRest_);
+  }
+  s.largestAngle = trees_.largestAngle();
+  s.kineticEnergy = trees_.kineticEnergy();
+  s.elasticEnergy = trees_.elasticEnergy();
+  return s;
+}
+
+DeviceInfo CpuEngine::device() const {
+  return {Device::Cpu, "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads")};
+}
+
+std::uint64_t CpuEngine::hash() const {
+  std::uint64_t h = hashBytes(trees_.motion().data(), trees_.motion().size_bytes());
+  return hashBytes(trees_.current().data(), trees_.current().size_bytes(), h);
+}
+
+namespace {
+constexpr char kMagic[8] = {'W', 'i', 'n', 'd', 's', 't', 'a', 't'};
+constexpr std::uint32_t kVersion = 1;
+
+bool allFinite(const void* data, std::size_t floats) {
+  const auto* values = static_cast<const float*>(data);
+  return std::all_of(values, values + floats, [](float v) { return std::isfinite(v); });
+}
+}  // namespace
+
+std::uint64_t CpuEngine::fingerprint() const {
+  std::uint64_t h = hashBytes(&scene_.seed, sizeof scene_.seed);
+  h = hashBytes(&scene_.solver.step, sizeof scene_.solver.step, h);
+  for (const TreeInstance& instance : scene_.trees) {
+    for (const Link& link : instance.tree->links) {
+      const float numbers[] = {link.joint.x, link.joint.y, link.joint.z, link.length, link.radius};
+      h = hashBytes(&link.parent, sizeof link.parent, h);
+      h = hashBytes(numbers, sizeof numbers, h);
+    }
+  }
+  return h;
+}
+
+std::vector<std::uint8_t> CpuEngine::save() const {
+  ByteWriter body;
+  body.value(fingerprint());
+  body.value(steps_);
+  body.value(accumulator_);
+  body.value(wind_.anchor());
+  body.values(trees_.motion());
+  body.values(trees_.previous());
+  body.values(trees_.current());
+  const std::vector<std::uint8_t> content = body.take();
+  ByteWriter file;
+  file.value(kMagic);
+  file.value(kVersion);
+  file.value(hashBytes(content.data(), content.size()));
+  file.values(std::span<const std::uint8_t>(content));
+  return file.take();
+}
+
+Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
+  ByteReader file(bytes);
+  char magic[8];
+  std::uint32_t version = 0;
+  std::uint64_t sum = 0, scene = 0;
+  std::span<const std::uint8_t> content;
+  if (!file.value(magic) || !std::equal(magic, magic + 8, kMagic)) return Error{"this is no state of a simulation"};
+  if (!file.value(version)) return Error{"the state of the simulation is cut short"};
+  if (version != kVersion)
+    return Error{"the state of the simulation is of version " + std::to_string(version) + ", not " +
+                 std::to_string(kVersion)};
+  if (!file.value(sum) || !file.block(content) || !file.atEnd())
+    return Error{"the state of the simulation is cut short"};
+  if (hashBytes(content.data(), content.size()) != sum) return Error{"the state of the simulation is damaged"};
+
+  ByteReader body(content);
+  if (!body.value(scene) || scene != fingerprint()) return Error{"the state belongs to another scene"};
+  std::int64_t steps = 0;
+  double accumulator = 0;
+  WindAnchor anchor;
+  std::vector<LinkMotion> motion(trees_.size());
+  std::vector<LinkState> before(trees_.size()), after(trees_.size());
+  const bool whole = body.value(steps) && body.value(accumulator) && body.value(anchor) &&
+                     body.values(std::span(motion)) && body.values(std::span(before)) && body.values(std::span(after));
+  const double numbers[] = {accumulator,     anchor.time,   anchor.drift[0], anchor.drift[1],
+                            anchor.drift[2], anchor.fronts, anchor.turnover};
+  const bool sane = whole && steps >= 0 && steps < (std::int64_t{1} << 40) && accumulator >= 0 &&
+                    accumulator <= stepLength() &&
+                    std::all_of(std::begin(numbers), std::end(numbers), [](double v) { return std::abs(v) < 1e12; }) &&
+                    allFinite(motion.data(), motion.size() * sizeof(LinkMotion) / sizeof(float)) &&
+                    allFinite(before.data(), before.size() * sizeof(LinkState) / sizeof(float)) &&
+                    allFinite(after.data(), after.size() * sizeof(LinkState) / sizeof(float));
+  if (!sane || !body.atEnd()) return Error{"the state of the simulation is damaged"};
+
+  steps_ = steps;
+  accumulator_ = accumulator;
+  between_ = 1;
+  wind_.restore(anchor);
+  std::copy(motion.begin(), motion.end(), trees_.motion().begin());
+  trees_.setPoses(before, after);
+  followWind();
+  wind_.advance(std::max(0.0, time() - 0.5 * stepLength()));
+  return ok();
+}
+
+}  // namespace windfall::sim

@@ -1,0 +1,55 @@
+// The engine on the CPU: wind, trees and leaves one after the other, OpenMP inside each.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/engine.h"
+#include "sim/tree_field.h"
+#include "sim/wind.h"
+
+namespace windfall::sim {
+
+class CpuEngine : public Engine {
+ public:
+  /// The scene has been checked.
+  CpuEngine(SceneDescription scene, int threads);
+
+  void step() override;
+  void reset() override;
+  void setWind(const WindSettings& wind) override;
+  void setLeaves(const LeafSettings& leaves) override;
+  void setTree(std::size_t instance, std::shared_ptr<const Tree> tree) override;
+  std::size_t linkCount() const override { return trees_.size(); }
+  std::size_t leafCount() const override;
+  void write(std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) override;
+  Statistics statistics() const override;
+  Timers timers() const override { return timers_; }
+  DeviceInfo device() const override;
+  std::string deviceProblem() const override { return {}; }
+  double time() const override;
+  std::vector<std::uint8_t> save() const override;
+  Status restore(std::span<const std::uint8_t> bytes) override;
+  std::uint64_t hash() const override;
+
+ protected:
+  double stepLength() const override { return static_cast<double>(scene_.solver.step); }
+
+ private:
+  FactorSettings factorSettings() const;
+  void followWind();
+  std::uint64_t fingerprint() const;
+
+  SceneDescription scene_;
+  int threads_;
+  WindField wind_;
+  TreeField trees_;
+  std::vector<vec4> restRotations_;  ///< inverse rest pose of each link: tree space
+  std::vector<vec3> restPositions_;
+  std::int64_t steps_ = 0;
+  std::size_t tipLink_ = 0;
+  vec3 tipRest_{0};  ///< world
+  Timers timers_;
+};
+
+}  // namespace windfall::sim

@@ -1,0 +1,69 @@
+#include "sim/engine.h"
+
+#include <omp.h>
+
+#include <cmath>
+
+#include "sim/bodies.h"
+#include "sim/cpu_engine.h"
+
+namespace windfall::sim {
+
+namespace {
+
+constexpr int kMostSteps = 8;
+
+std::string problemOf(const SceneDescription& scene) {
+  const float h = scene.solver.step;
+  if (!(h >= 1e-4f && h <= 10)) return "the step of the simulation must be between 0.0001 and 10 seconds";
+  if (!(scene.solver.structuralDamping >= 0 && scene.solver.structuralDamping <= 10)) {
+    return "the structural damping must be between 0 and 10";
+  }
+  std::size_t links = 0;
+  for (const TreeInstance& instance : scene.trees) {
+    if (!instance.tree) return "a tree of the scene is missing";
+    std::string problem = problemOf(*instance.tree);
+    if (!problem.empty()) return problem;
+    const vec3& at = instance.placement.position;
+    if (!(glm::dot(at, at) < 1e10f) || !std::isfinite(instance.placement.heading)) {
+      return "the place of " + instance.tree->name + " is not a number";
+    }
+    links += instance.tree->links.size();
+  }
+  if (links > 0x7fffffffu) return "the scene has too many links";
+  return {};
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> devices() {
+  const int threads = omp_get_max_threads();
+  return {{Device::Cpu, "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")}};
+}
+
+Result<std::unique_ptr<Engine>> Engine::create(SceneDescription scene, Device device, int threads) {
+  if (std::string problem = problemOf(scene); !problem.empty()) return Error{std::move(problem)};
+  if (device == Device::Cuda) return Error{"no CUDA device: this program was built without CUDA"};
+  return std::unique_ptr<Engine>(std::make_unique<CpuEngine>(std::move(scene), threads));
+}
+
+Advance Engine::advance(double seconds) {
+  Advance done;
+  const double h = stepLength();
+  if (!(seconds > 0)) return done;
+  accumulator_ += seconds;
+  while (accumulator_ >= h && done.steps < kMostSteps) {
+    accumulator_ -= h;
+    step();
+    ++done.steps;
+  }
+  if (accumulator_ >= h) {
+    const double kept = std::fmod(accumulator_, h);
+    done.lost = accumulator_ - kept;
+    accumulator_ = kept;
+  }
+  between_ = accumulator_ / h;
+  return done;
+}
+
+}  // namespace windfall::sim

@@ -1,0 +1,34 @@
+#include "sim/treelets.h"
+
+namespace windfall::sim {
+
+Partition partition(std::span<const std::int32_t> parents, std::uint32_t size) {
+  const auto count = static_cast<std::uint32_t>(parents.size());
+  std::vector<std::uint32_t> below(count, 1);
+  for (std::uint32_t i = count; i-- > 0;) {
+    if (parents[i] >= 0) below[static_cast<std::size_t>(parents[i])] += below[i];
+  }
+  Partition cut;
+  std::uint32_t inGroup = size;
+  for (std::uint32_t i = 0; i < count;) {
+    if (below[i] > size) {
+      cut.top.push_back(i);
+      cut.crossings.push_back({i, -1});
+      ++i;
+      continue;
+    }
+    if (inGroup >= size) {
+      cut.groups.push_back(static_cast<std::uint32_t>(cut.treelets.size()));
+      inGroup = 0;
+    }
+    if (parents[i] >= 0) cut.crossings.push_back({i, static_cast<std::int32_t>(cut.treelets.size())});
+    cut.treelets.push_back({i, i + below[i]});
+    inGroup += below[i];
+    i += below[i];
+  }
+  cut.groups.push_back(static_cast<std::uint32_t>(cut.treelets.size()));
+  for (std::size_t i = 0, j = cut.crossings.size(); i + 1 < j; ++i) std::swap(cut.crossings[i], cut.crossings[--j]);
+  return cut;
+}
+
+}  // namespace windfall::sim
