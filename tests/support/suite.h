@@ -23,6 +23,6 @@ QString outputFolder();
 }  // namespace windfall::test
 
 /// At the end of a test file, before its .moc is included.
-#define WINDFALL_SUITE(Class) \
+#define WINDFALL_SUITE(Class)                            \
   [[maybe_unused]] static const bool registered##Class = \
       windfall::test::addSuite(__FILE__, [] { return std::unique_ptr<QObject>(new Class); });

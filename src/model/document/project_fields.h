@@ -1,0 +1,182 @@
+// What is kept of each part of a project, and between which limits; the same text writes and reads.
+// Limits keep nonsense and hostile numbers out; they are wider than what the window offers.
+#pragma once
+
+#include "model/document/fields.h"
+#include "model/document/project.h"
+
+namespace windfall::model {
+
+/// io: a FieldWriter or a FieldReader.
+template <class Io>
+void fields(Io& io, typename Io::template Ref<VeinParameters> veins) {
+  io.seed("seed", veins.seed);
+  io.number("laterals", veins.laterals, 0, 1000);
+  io.number("basalAngle", veins.basalAngle, -360, 360);
+  io.number("apicalAngle", veins.apicalAngle, -360, 360);
+  io.number("wiggle", veins.wiggle, 0, 180);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<DistanceCosts> costs) {
+  io.number("veinVein", costs.veinVein, 0, 1e6);
+  io.number("veinTissue", costs.veinTissue, 0, 1e6);
+  io.number("tissueTissue", costs.tissueTissue, 0, 1e6);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
+  io.number("size", synthesis.size, 16, 8192);
+  io.number("superpixels", synthesis.superpixels, 1, 1e6);
+  io.number("candidates", synthesis.candidates, 1, 10'000);
+  io.number("smoothing", synthesis.smoothing, 0, 1e6);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<LeafParameters> parameters) {
+  io.number("epsilon", parameters.epsilon, 0, 1e5);
+  io.object("veins", parameters.veins);
+  io.object("costs", parameters.costs);
+  io.object("synthesis", parameters.synthesis);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Vein> vein) {
+  io.number("order", vein.order, 1, 100);
+  io.number("parent", vein.parent, -1, 1e6);
+  io.points("points", vein.points);
+  io.number("startWidth", vein.startWidth, 0, 1e5);
+  io.number("endWidth", vein.endWidth, 0, 1e5);
+}
+
+/// `entry`: the picture's file.
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Variant> variant, const QString& entry) {
+  io.seed("seed", variant.seed);
+  io.flag("keep", variant.keep);
+  io.image("image", variant.image, entry, QImage::Format_RGBA8888);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Leaf> leaf) {
+  io.id("id", leaf.id);
+  const QString folder = QStringLiteral("leaves/%1/").arg(leaf.id.value);
+  io.text("name", leaf.name);
+  io.source("photo", leaf.photo, folder + QStringLiteral("photo"));
+  io.image("mask", leaf.mask, folder + QStringLiteral("mask.png"), QImage::Format_Grayscale8);
+  io.point("root", leaf.root);
+  io.list("veins", leaf.veins, 100'000);
+  io.points("markers", leaf.markers);
+  io.number("bladeLength", leaf.bladeLength, 1e-4, 100);
+  io.object("parameters", leaf.parameters);
+  io.list("variants", leaf.variants, 9'999, [&folder](size_t i) {
+    return QStringLiteral("%1variants/%2.png").arg(folder).arg(i + 1, 4, 10, QLatin1Char('0'));
+  });
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<GrowerSettings> grower) {
+  io.seed("seed", grower.seed);
+  io.number("height", grower.height, 0.01, 200);
+  io.number("baseRadius", grower.baseRadius, 1e-4, 50);
+  io.number("limbs", grower.limbs, 0, 2000);
+  io.number("levels", grower.levels, 1, 8);
+  io.number("spread", grower.spread, 0, 180);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<LinkAttributes> link) {
+  io.number("stiffness", link.stiffness, 0, 1e9);
+  io.number("damping", link.damping, 0, 1e9);
+  io.number("windResponse", link.windResponse, 0, 1e9);
+  io.number("woodDensity", link.woodDensity, 1, 1e5);
+  io.number("youngsModulus", link.youngsModulus, 1, 1e14);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Plant> plant) {
+  io.id("id", plant.id);
+  io.text("name", plant.name);
+  io.source("source", plant.file, QStringLiteral("plants/%1/source").arg(plant.id.value));
+  io.object("grower", plant.grower);
+  io.table("edits", plant.edits, 1'000'000);
+  io.ids("leaves", plant.leaves);
+  io.number("leafDensity", plant.leafDensity, 0, 1000);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<TreePlacement> tree) {
+  io.id("id", tree.id);
+  io.text("name", tree.name);
+  io.id("plant", tree.plant);
+  io.vector("position", tree.position);
+  io.number("heading", tree.heading, -kFarthest, kFarthest);
+  io.number("scale", tree.scale, 1e-4, 1e4);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::WindSettings> wind) {
+  io.number("speed", wind.speed, 0, 200);
+  io.vector("direction", wind.direction);
+  io.number("turbulence", wind.turbulence, 0, 10);
+  io.number("gustStrength", wind.gustStrength, 0, 10);
+  io.number("gustPeriod", wind.gustPeriod, 0.01, 1e6);
+  io.number("until", wind.until, 0, 1e38);
+  io.seed("seed", wind.seed);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::LeafSettings> leaves) {
+  io.number("count", leaves.count, 0, 50'000'000);
+  io.number("season", leaves.season, 0, 1);
+  io.number("spawnHeight", leaves.spawnHeight, 0, 1e5);
+  io.number("massPerArea", leaves.massPerArea, 1e-4, 100);
+  io.flag("respawn", leaves.respawn);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::SolverSettings> solver) {
+  io.number("step", solver.step, 1e-5, 1);
+  io.number("structuralDamping", solver.structuralDamping, 0, 100);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Light> light) {
+  io.number("azimuth", light.azimuth, -kFarthest, kFarthest);
+  io.number("elevation", light.elevation, -90, 90);
+  io.number("strength", light.strength, 0, 1000);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Scene> scene) {
+  io.list("trees", scene.trees, 100'000);
+  io.object("wind", scene.wind);
+  io.object("leaves", scene.leaves);
+  io.object("solver", scene.solver);
+  io.object("light", scene.light);
+  io.seed("seed", scene.seed);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<SimulationState> simulation) {
+  io.number("time", simulation.time, 0, 1e12);
+  io.bytes("state", simulation.bytes, QStringLiteral("simulation/state.bin"));
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Camera> camera) {
+  io.vector("target", camera.target);
+  io.number("azimuth", camera.azimuth, -kFarthest, kFarthest);
+  io.number("elevation", camera.elevation, -90, 90);
+  io.number("distance", camera.distance, 1e-3, kFarthest);
+  io.number("fieldOfView", camera.fieldOfView, 1, 179);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<ViewState> view) {
+  io.text("workspace", view.workspace);
+  io.object("camera", view.camera);
+  io.json("layout", view.layout);
+}
+
+}  // namespace windfall::model
