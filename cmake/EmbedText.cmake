@@ -1,0 +1,11 @@
+# cmake -DFILES=a|b -DOUTPUT=x.cpp -P EmbedText.cmake: each file as a raw string under its name.
+string(REPLACE "|" ";" FILES "${FILES}")
+set(text "#include \"widgets/render/embedded_text.h\"\n\nnamespace windfall::render {\n\n")
+string(APPEND text "std::string_view embeddedText(std::string_view name) {\n")
+foreach(file IN LISTS FILES)
+  file(READ ${file} content)
+  get_filename_component(name ${file} NAME)
+  string(APPEND text "  if (name == \"${name}\") return R\"shader(${content})shader\";\n")
+endforeach()
+string(APPEND text "  return {};\n}\n\n}  // namespace windfall::render\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,32 @@
+#include "frame.glsl"
+#include "skin.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in uvec4 links;
+layout(location = 4) in vec4 weights;
+layout(location = 5) in uint firstLink;
+layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
+
+layout(location = 0) out vec3 worldPosition;
+layout(location = 1) out vec3 worldNormal;
+layout(location = 2) out vec2 textureUv;
+layout(location = 3) out vec3 restPosition;
+layout(location = 4) out vec3 restNormal;
+layout(location = 5) out float highlight;
+
+float highlighted(uint link) {
+  uint bit = firstLink + link;
+  return float((highlightBits[bit >> 5u] >> (bit & 31u)) & 1u);
+}
+
+void main() {
+  mat4 skin = skinMatrix(firstLink, links, weights);
+  worldPosition = (skin * vec4(position, 1.0)).xyz;
+  worldNormal = mat3(skin) * normal;
+  textureUv = uv;
+  restPosition = position;
+  restNormal = normal;
+  highlight = accent.w > 0.0 ? dot(vec4(highlighted(links.x), highlighted(links.y), highlighted(links.z), highlighted(links.w)), weights) : 0.0;
+  gl_Position = viewProjection * vec4(worldPosition, 1.0);
+}

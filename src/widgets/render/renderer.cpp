@@ -1,0 +1,254 @@
+#include "widgets/render/renderer.h"
+
+#include <chrono>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "widgets/render/frame_ring.h"
+#include "widgets/render/frame_uniforms.h"
+#include "widgets/render/gl_object.h"
+#include "widgets/render/gl_version.h"
+#include "widgets/render/leaf_pass.h"
+#include "widgets/render/noise_texture.h"
+#include "widgets/render/picture_target.h"
+#include "widgets/render/scene_extent.h"
+#include "widgets/render/shader_program.h"
+#include "widgets/render/shadow_map.h"
+#include "widgets/render/sky_model.h"
+#include "widgets/render/tree_pass.h"
+
+namespace windfall::render {
+
+namespace {
+const vec3 kGroundAlbedo(0.17f, 0.14f, 0.05f);
+}  // namespace
+
+struct Renderer::Impl {
+  FrameRing ring;
+  TreePass trees;
+  LeafPass leaves;
+  PictureTarget target;
+  ShadowMap shadow;
+  SceneExtent extent;
+  Program sky, ground[2], present;
+  Texture noise, skyTable;
+  Buffer uniforms, highlights;
+  VertexArray empty;
+  SkyLight skyLight;
+  vec3 skySun{0};
+  std::vector<std::uint32_t> highlighted, highlightBits;
+  bool software = false;
+  double drawTime = 0;
+  DrawCounts counts;
+
+  Status compile();
+  void updateSky(const View& view);
+  void updateHighlights(const View& view);
+  void makeHighlights(std::size_t linkCount);
+  void drawShadows(const ShadowFit& fit);
+  void drawPicture(const View& view);
+  void drawPresent(const View& view, unsigned framebuffer);
+  int shadowSize(Quality quality) const;
+  void bindFrame() const;
+};
+
+Status Renderer::Impl::compile() {
+  const auto link = [](Program& into, const char* vertex, const char* fragment, const char* define) -> Status {
+    Result<Program> linked = linkProgram(vertex, fragment, {define});
+    if (!linked) return linked.error();
+    into = std::move(*linked);
+    return ok();
+  };
+  const std::string samples = "SAMPLES " + std::to_string(PictureTarget::kSamples);
+  for (const Status& status :
+       {link(sky, "sky.vert", "sky.frag", "STANDARD_QUALITY"),
+        link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
+        link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
+        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), leaves.compile()}) {
+    if (!status) return status;
+  }
+  return ok();
+}
+
+void Renderer::Impl::updateSky(const View& view) {
+  const vec3 sun = glm::length(view.toSun) > 1e-6f ? glm::normalize(view.toSun) : vec3(0, 1, 0);
+  if (sun == skySun) return;
+  skySun = sun;
+  skyLight = computeSky(sun, kGroundAlbedo);
+  glTextureSubImage2D(skyTable.id(), 0, 0, 0, SkyLight::kWidth, SkyLight::kHeight, GL_RGB, GL_FLOAT,
+                      skyLight.table.data());
+}
+
+void Renderer::Impl::makeHighlights(std::size_t linkCount) {
+  highlightBits.assign(linkCount / 32 + 1, 0u);
+  highlighted.clear();
+  highlights = makeBuffer(static_cast<GLsizeiptr>(highlightBits.size() * sizeof(std::uint32_t)), highlightBits.data(),
+                          GL_DYNAMIC_STORAGE_BIT);
+}
+
+void Renderer::Impl::updateHighlights(const View& view) {
+  if (view.highlighted == highlighted) return;
+  highlighted = view.highlighted;
+  std::fill(highlightBits.begin(), highlightBits.end(), 0u);
+  for (const std::uint32_t link : highlighted) {
+    if (link < ring.linkCount()) highlightBits[link / 32] |= 1u << (link % 32);
+  }
+  glNamedBufferSubData(highlights.id(), 0, static_cast<GLsizeiptr>(highlightBits.size() * sizeof(std::uint32_t)),
+                       highlightBits.data());
+}
+
+int Renderer::Impl::shadowSize(Quality quality) const {
+  if (quality == Quality::High) return software ? 2048 : 4096;
+  return quality == Quality::Draft || software ? 1024 : 2048;
+}
+
+void Renderer::Impl::bindFrame() const {
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, highlights.id());
+  const int slot = ring.newest();
+  if (slot >= 0 && ring.linkCount() > 0) {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring.bones(), ring.boneOffset(slot),
+                      static_cast<GLsizeiptr>(ring.linkCount() * sizeof(mat4)));
+  }
+}
+
+void Renderer::Impl::drawShadows(const ShadowFit& fit) {
+  glBindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffer());
+  glViewport(0, 0, shadow.size(), shadow.size());
+  glDepthFunc(GL_LESS);
+  const float farthest = 1;
+  glClearNamedFramebufferfv(shadow.framebuffer(), GL_DEPTH, 0, &farthest);
+  const int slot = ring.newest();
+  if (slot < 0) return;
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.2f, 1.f);
+  counts.calls += trees.drawShadow(fit.toClip);
+  counts.calls += leaves.drawShadow(ring.leaves(), ring.leafOffset(slot), ring.leafCount(), fit.toClip);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void Renderer::Impl::drawPicture(const View& view) {
+  const bool high = view.quality == Quality::High;
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  glViewport(0, 0, view.width, view.height);
+  const float farthest = 0;
+  glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &farthest);
+  glDepthFunc(GL_GEQUAL);
+  glBindTextureUnit(0, noise.id());
+  glBindTextureUnit(1, skyTable.id());
+  glBindTextureUnit(2, shadow.texture());
+  // Front to back: the ground and the sky fill only what the tree leaves open.
+  if (const int slot = ring.newest(); slot >= 0) {
+    counts.calls += trees.draw(high);
+    counts.leafCalls = leaves.draw(ring.leaves(), ring.leafOffset(slot), ring.leafCount(), high);
+    counts.calls += counts.leafCalls;
+  }
+  glBindVertexArray(empty.id());
+  glUseProgram(ground[high ? 1 : 0].id());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glUseProgram(sky.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  counts.calls += 2;
+}
+
+void Renderer::Impl::drawPresent(const View& view, unsigned framebuffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, view.width, view.height);
+  glDisable(GL_DEPTH_TEST);
+  glBindTextureUnit(3, target.color());
+  glUseProgram(present.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  ++counts.calls;
+}
+
+Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create() {
+  if (const Status version = checkVersion(); !version) return version.error();
+  std::unique_ptr<Renderer> made(new Renderer);
+  Impl& impl = *made->impl_;
+  impl.software = isSoftware();
+  if (const Status compiled = impl.compile(); !compiled) return compiled.error();
+  clearErrors();
+  impl.noise = makeNoiseTexture();
+  impl.skyTable = makeTexture(GL_TEXTURE_2D);
+  glTextureStorage2D(impl.skyTable.id(), 1, GL_RGB16F, SkyLight::kWidth, SkyLight::kHeight);
+  glTextureParameteri(impl.skyTable.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(impl.skyTable.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(impl.skyTable.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  impl.uniforms = makeBuffer(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  impl.makeHighlights(0);
+  impl.empty = makeVertexArray();
+  if (outOfMemory()) return Error{"not enough graphics memory"};
+  return made;
+}
+
+Status Renderer::setContent(const SceneContent& content) {
+  impl_->extent.reset();
+  Status status = impl_->trees.setContent(content);
+  if (status) status = impl_->leaves.setContent(content);
+  if (status) status = impl_->ring.allocate(content.linkCount, content.leafCount);
+  if (!status) {
+    static_cast<void>(impl_->trees.setContent({}));
+    static_cast<void>(impl_->leaves.setContent({}));
+    static_cast<void>(impl_->ring.allocate(0, 0));
+  }
+  impl_->makeHighlights(impl_->ring.linkCount());
+  return status;
+}
+
+FrameSlot Renderer::acquire() { return impl_->ring.acquire(); }
+
+void Renderer::publish(const FrameSlot& slot) {
+  impl_->ring.publish(slot.index);
+  if (impl_->ring.newest() == slot.index && slot.index >= 0)
+    impl_->extent.update(impl_->trees, impl_->ring.slot(slot.index));
+}
+
+Status Renderer::draw(const View& view, unsigned framebuffer) {
+  const auto begin = std::chrono::steady_clock::now();
+  Impl& impl = *impl_;
+  impl.counts = {0, 0, impl.ring.newest()};
+  if (const Status sized = impl.target.resize(view.width, view.height); !sized) return sized;
+  if (const Status sized = impl.shadow.resize(impl.shadowSize(view.quality)); !sized) return sized;
+  impl.updateSky(view);
+  impl.updateHighlights(view);
+  const ShadowFit fit = fitShadow(impl.extent.center(), impl.extent.radius(), impl.skySun, impl.shadow.size());
+  View lit = view;
+  lit.toSun = impl.skySun;
+  FrameUniforms uniforms = frameUniforms(lit, impl.skyLight, fit);
+  setCanopies(uniforms, impl.extent.canopies());
+  glNamedBufferSubData(impl.uniforms.id(), 0, sizeof uniforms, &uniforms);
+
+  // Whatever was drawn before in this context may have left anything on.
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_MULTISAMPLE);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  impl.bindFrame();
+  impl.drawShadows(fit);
+  impl.drawPicture(view);
+  impl.drawPresent(view, framebuffer);
+  if (impl.counts.slot >= 0) impl.ring.fence(impl.counts.slot);
+
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  glDepthFunc(GL_LESS);
+  glUseProgram(0);
+  glBindVertexArray(0);
+  impl.drawTime = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return ok();
+}
+
+std::string Renderer::name() const { return deviceName(); }
+double Renderer::lastDrawTime() const { return impl_->drawTime; }
+DrawCounts Renderer::lastDraw() const { return impl_->counts; }
+
+}  // namespace windfall::render

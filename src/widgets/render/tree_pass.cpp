@@ -1,0 +1,218 @@
+#include "widgets/render/tree_pass.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "widgets/render/mip_chain.h"
+#include "widgets/render/shader_program.h"
+
+namespace windfall::render {
+
+namespace {
+
+constexpr int kLargestPicture = 2048;
+constexpr float kBarkRelief = 0.006f;  // m
+
+Error mismatch(std::size_t mesh, const std::string& what) {
+  return Error{"mesh " + std::to_string(mesh + 1) + ": " + what};
+}
+
+/// What the GPU would read out of bounds is refused here.
+Status check(const SceneContent& content) {
+  for (std::size_t m = 0; m < content.meshes.size(); ++m) {
+    const Mesh& mesh = content.meshes[m];
+    for (const std::uint32_t index : mesh.indices) {
+      if (index >= mesh.vertices.size()) return mismatch(m, "an index names a vertex that is not there");
+    }
+    for (const Part& part : mesh.parts) {
+      if (part.firstIndex > mesh.indices.size() || part.indexCount > mesh.indices.size() - part.firstIndex) {
+        return mismatch(m, "a part names indices that are not there");
+      }
+      if (part.material < 0 || part.material >= static_cast<int>(mesh.materials.size())) {
+        return mismatch(m, "a part names a material that is not there");
+      }
+    }
+    for (const Material& material : mesh.materials) {
+      if (material.picture >= static_cast<int>(mesh.pictures.size())) {
+        return mismatch(m, "a material names a picture that is not there");
+      }
+    }
+    for (const Picture& picture : mesh.pictures) {
+      if (picture.width < 1 || picture.height < 1 ||
+          picture.rgba.size() !=
+              static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4) {
+        return mismatch(m, "a picture is empty or its size is wrong");
+      }
+    }
+  }
+  for (const TreeDraw& tree : content.trees) {
+    if (tree.mesh < 0 || tree.mesh >= static_cast<int>(content.meshes.size())) {
+      return Error{"a tree names a mesh that is not there"};
+    }
+    if (tree.firstLink > content.linkCount || tree.linkCount > content.linkCount - tree.firstLink) {
+      return Error{"a tree names links that are not there"};
+    }
+    for (const Vertex& vertex : content.meshes[static_cast<std::size_t>(tree.mesh)].vertices) {
+      for (const std::uint32_t link : vertex.links) {
+        if (link >= tree.linkCount)
+          return mismatch(static_cast<std::size_t>(tree.mesh), "a vertex names a link that is not there");
+      }
+    }
+  }
+  return ok();
+}
+
+int powerOfTwo(int size) {
+  int power = 1;
+  while (power < size && power < kLargestPicture) power *= 2;
+  return power;
+}
+
+Texture uploadPicture(const Picture& picture, bool cutOut) {
+  const auto levels = mipChain(picture, powerOfTwo(picture.width), powerOfTwo(picture.height), cutOut);
+  Texture texture = makeTexture(GL_TEXTURE_2D);
+  glTextureStorage2D(texture.id(), static_cast<GLsizei>(levels.size()), GL_SRGB8_ALPHA8, levels[0].width,
+                     levels[0].height);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    glTextureSubImage2D(texture.id(), static_cast<GLint>(i), 0, 0, levels[i].width, levels[i].height, GL_RGBA,
+                        GL_UNSIGNED_BYTE, levels[i].rgba.data());
+  }
+  glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  return texture;
+}
+
+void attribute(GLuint array, GLuint location, GLint count, GLenum type, std::size_t offset) {
+  glEnableVertexArrayAttrib(array, location);
+  if (type == GL_UNSIGNED_INT) {
+    glVertexArrayAttribIFormat(array, location, count, type, static_cast<GLuint>(offset));
+  } else {
+    glVertexArrayAttribFormat(array, location, count, type, GL_FALSE, static_cast<GLuint>(offset));
+  }
+  glVertexArrayAttribBinding(array, location, 0);
+}
+
+const void* indexOffset(std::uint32_t first) { return reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); }
+
+}  // namespace
+
+void Bounds::add(const vec3& point) {
+  lower = glm::min(lower, point);
+  upper = glm::max(upper, point);
+}
+
+Status TreePass::compile() {
+  for (auto [program, vertex, fragment, define] :
+       {std::tuple{&standard_, "tree.vert", "tree.frag", "STANDARD_QUALITY"},
+        std::tuple{&high_, "tree.vert", "tree.frag", "HIGH_QUALITY"},
+        std::tuple{&shadow_, "tree_shadow.vert", "tree_shadow.frag", "STANDARD_QUALITY"}}) {
+    Result<Program> linked = linkProgram(vertex, fragment, {define});
+    if (!linked) return linked.error();
+    *program = std::move(*linked);
+  }
+  return ok();
+}
+
+Status TreePass::setContent(const SceneContent& content) {
+  meshes_.clear();
+  trees_.clear();
+  if (const Status sound = check(content); !sound) return sound;
+  std::vector<GpuMesh> meshes(content.meshes.size());
+  for (std::size_t m = 0; m < content.meshes.size(); ++m) {
+    std::vector<std::uint32_t> firstLinks;
+    for (const TreeDraw& tree : content.trees) {
+      if (tree.mesh == static_cast<int>(m)) firstLinks.push_back(tree.firstLink);
+    }
+    if (firstLinks.empty() || content.meshes[m].vertices.empty() || content.meshes[m].indices.empty()) continue;
+    if (const Status uploaded = upload(content.meshes[m], firstLinks, meshes[m]); !uploaded) return uploaded;
+  }
+  meshes_ = std::move(meshes);
+  trees_ = content.trees;
+  return ok();
+}
+
+Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firstLinks, GpuMesh& out) {
+  clearErrors();
+  const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
+  out.vertices = makeBuffer(bytes(mesh.vertices), mesh.vertices.data(), 0);
+  out.indices = makeBuffer(bytes(mesh.indices), mesh.indices.data(), 0);
+  out.instances = makeBuffer(bytes(firstLinks), firstLinks.data(), 0);
+  out.array = makeVertexArray();
+  const GLuint array = out.array.id();
+  glVertexArrayVertexBuffer(array, 0, out.vertices.id(), 0, sizeof(Vertex));
+  glVertexArrayVertexBuffer(array, 1, out.instances.id(), 0, sizeof(std::uint32_t));
+  glVertexArrayElementBuffer(array, out.indices.id());
+  attribute(array, 0, 3, GL_FLOAT, offsetof(Vertex, position));
+  attribute(array, 1, 3, GL_FLOAT, offsetof(Vertex, normal));
+  attribute(array, 2, 2, GL_FLOAT, offsetof(Vertex, uv));
+  attribute(array, 3, 4, GL_UNSIGNED_INT, offsetof(Vertex, links));
+  attribute(array, 4, 4, GL_FLOAT, offsetof(Vertex, weights));
+  attribute(array, 5, 1, GL_UNSIGNED_INT, 0);
+  glVertexArrayAttribBinding(array, 5, 1);
+  glVertexArrayBindingDivisor(array, 1, 1);
+
+  for (std::size_t p = 0; p < mesh.pictures.size(); ++p) {
+    const bool cutOut = std::any_of(mesh.materials.begin(), mesh.materials.end(), [&](const Material& material) {
+      return material.foliage && material.picture == static_cast<int>(p);
+    });
+    out.pictures.push_back(uploadPicture(mesh.pictures[p], cutOut));
+  }
+  out.parts = mesh.parts;
+  out.materials = mesh.materials;
+  out.instanceCount = static_cast<GLsizei>(firstLinks.size());
+  for (const Vertex& vertex : mesh.vertices) out.bounds.add(vertex.position);
+  if (outOfMemory()) return Error{"not enough graphics memory for a tree's mesh and pictures"};
+  return ok();
+}
+
+int TreePass::draw(bool highQuality) const {
+  int calls = 0;
+  glUseProgram((highQuality ? high_ : standard_).id());
+  for (const GpuMesh& mesh : meshes_) {
+    if (mesh.instanceCount == 0) continue;
+    glBindVertexArray(mesh.array.id());
+    for (const Part& part : mesh.parts) {
+      const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
+      const bool pictured = material.picture >= 0;
+      if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
+      glUniform4fv(0, 1, glm::value_ptr(material.baseColor));
+      glUniform4f(1, material.roughness, pictured ? 1.f : 0.f, material.foliage ? 1.f : 0.f, kBarkRelief);
+      if (material.foliage) {
+        glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+      } else {
+        glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+      }
+      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
+                              indexOffset(part.firstIndex), mesh.instanceCount);
+      ++calls;
+    }
+  }
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  return calls;
+}
+
+int TreePass::drawShadow(const mat4& lightMatrix) const {
+  int calls = 0;
+  glUseProgram(shadow_.id());
+  glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
+  for (const GpuMesh& mesh : meshes_) {
+    if (mesh.instanceCount == 0) continue;
+    glBindVertexArray(mesh.array.id());
+    for (const Part& part : mesh.parts) {
+      const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
+      const bool tested = material.foliage && material.picture >= 0;
+      if (tested) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
+      glUniform1f(1, tested ? 1.f : 0.f);
+      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
+                              indexOffset(part.firstIndex), mesh.instanceCount);
+      ++calls;
+    }
+  }
+  return calls;
+}
+
+}  // namespace windfall::render

@@ -1,0 +1,48 @@
+// Draws the skinned trees, into the picture and into the shadow map.
+#pragma once
+
+#include <vector>
+
+#include "sim/result.h"
+#include "widgets/render/content.h"
+#include "widgets/render/gl_object.h"
+
+namespace windfall::render {
+
+/// An axis-aligned box; empty until something is added.
+struct Bounds {
+  vec3 lower{1e30f}, upper{-1e30f};
+  bool empty() const { return lower.x > upper.x; }
+  void add(const vec3& point);
+};
+
+class TreePass {
+ public:
+  Status compile();
+  /// Uploads meshes and pictures; checks every index and link.
+  Status setContent(const SceneContent& content);
+  /// Draw calls made. The frame's uniforms, bones (storage 0) and highlights (storage 1) are bound by the caller.
+  int draw(bool highQuality) const;
+  int drawShadow(const mat4& lightMatrix) const;
+  const std::vector<TreeDraw>& trees() const { return trees_; }
+  /// Of a mesh at rest.
+  const Bounds& bounds(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)].bounds; }
+
+ private:
+  struct GpuMesh {
+    VertexArray array;
+    Buffer vertices, indices, instances;
+    std::vector<Part> parts;
+    std::vector<Material> materials;
+    std::vector<Texture> pictures;
+    GLsizei instanceCount = 0;
+    Bounds bounds;
+  };
+  static Status upload(const Mesh& mesh, const std::vector<std::uint32_t>& firstLinks, GpuMesh& out);
+
+  std::vector<GpuMesh> meshes_;
+  std::vector<TreeDraw> trees_;
+  Program standard_, high_, shadow_;
+};
+
+}  // namespace windfall::render
