@@ -1,4 +1,4 @@
-#include "app/cli/command.h"
+#include "app/cli/commands.h"
 
 #include <cstdio>
 
@@ -8,7 +8,7 @@ namespace windfall::app {
 
 namespace {
 constexpr DeclareCommand kCommands[] = {
-    nullptr,
+    declareBench,
 };
 }  // namespace
 

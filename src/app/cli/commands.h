@@ -1,0 +1,10 @@
+// The subcommands; each is declared in the file of its name.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace windfall::app {
+
+void declareBench(CLI::App& app, Action& action);
+
+}  // namespace windfall::app
