@@ -40,6 +40,7 @@ class Latch {
 
 double Job::fraction() const { return fraction_; }
 void Job::cancel() { progress_->cancel(); }
+bool Job::isCancelled() const { return progress_->cancelled(); }
 
 struct JobRunner::State {
   std::vector<Job*> jobs;

@@ -19,6 +19,7 @@ class Job : public QObject {
   QString title() const { return title_; }
   double fraction() const;
   void cancel();
+  bool isCancelled() const;
 
  signals:
   void progressed(double fraction);
