@@ -12,13 +12,14 @@ namespace {
 /// Qt turns quality into zlib's level: (100 - quality) * 9 / 91; this is level 2, five times as fast as 6 for a tenth
 /// more bytes.
 constexpr int kPngQuality = 75;
+constexpr int kDotsPerMetre = 2835;  // 72 dpi
 
 QByteArray toPng(const QImage& image) {
-  // Same pixels without resolution and text, which would differ from screen to screen.
+  // Same pixels without text, and with one resolution for all: a QImage takes that of the screen it is made on.
   const QImage bare(image.constBits(), image.width(), image.height(), image.bytesPerLine(), image.format());
   QImage plain = bare;
-  plain.setDotsPerMeterX(0);
-  plain.setDotsPerMeterY(0);
+  plain.setDotsPerMeterX(kDotsPerMetre);
+  plain.setDotsPerMeterY(kDotsPerMetre);
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);

@@ -21,6 +21,7 @@ class ProjectFileTest : public QObject {
   void everythingComesBack();
   void saveLoadSaveGivesEqualBytes();
   void bytesKnowNoTimeZone();
+  void bytesKnowNoScreen();
   void numbersSurviveExactly();
   void sourcesStandBesideAsTheyWere();
   void anOlderSchemaIsUpgraded();
@@ -81,6 +82,16 @@ void ProjectFileTest::bytesKnowNoTimeZone() {
   ::tzset();
   QCOMPARE(seen[1], seen[0]);
   QCOMPARE(seen[2], seen[0]);
+}
+
+void ProjectFileTest::bytesKnowNoScreen() {
+  Project project = test::richProject();
+  QVERIFY(write(project, "screen.windfall"));
+  const QByteArray first = bytesOf(at("screen.windfall"));
+  project.leaves[0].mask.setDotsPerMeterX(7777);
+  project.leaves[0].mask.setText("Author", "me");
+  QVERIFY(write(project, "screen.windfall"));
+  QCOMPARE(bytesOf(at("screen.windfall")), first);
 }
 
 void ProjectFileTest::numbersSurviveExactly() {
