@@ -21,6 +21,7 @@ constexpr double kSlope = 1.5;     // kappa: dF/dv over C (2.4)
 constexpr double kOverMean = 1.3;  // level for the slope over the mean wind (6.2)
 constexpr double kStillAir = 1.0;  // m/s, of branches in calm air
 constexpr double kTwistFloor = 0.3;
+constexpr double kTwistDamping = 7;  // ratio of twist over the structural one
 
 /// C of F = C u at a speed across the branch, N s/m.
 double dragAt(const LinkBody& body, double speed) {
@@ -109,6 +110,11 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;
     diagonal.z += floor;
+    // A bent twig that twists sweeps through the air; at rest it is straight and the drag's matrix does not see that.
+    const dmat3 composite = glm::transpose(body.axes) * composites[i].inertia * body.axes;
+    const double twistDamping = 2 * kTwistDamping * settings.dampingRatio * body.dampingScale *
+                                std::sqrt(body.stiffness.z * (composite[2][2] + floor));
+    diagonal.z += vh * twistDamping;
     const auto narrow = [](double value) { return static_cast<float>(value); };
     inertias[i] = {narrow(body.mass), narrow(body.across), narrow(body.along), narrow(floor)};
     const dmat3 inverse = glm::inverse(j + dmat3(diagonal.x, 0, 0, 0, diagonal.y, 0, 0, 0, diagonal.z));
@@ -147,7 +153,7 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
     shape.parent = root ? -1 : first + body.parent;
     shape.stiffness = vec3(body.stiffness);
     shape.halfLength = narrow(0.5 * body.length);
-    shape.velocityTerm = vec3(body.stiffness * (vh + ownBeta) + dvec3(geometric * vh));
+    shape.velocityTerm = vec3(body.stiffness * (vh + ownBeta) + dvec3(geometric * vh) + dvec3(0, 0, twistDamping));
     shape.weight = narrow(body.mass * -settings.gravity.y);
     shape.preStress = vec3(loads.preStress[i]);
     shape.woodDrag = narrow(body.woodDrag);

@@ -8,11 +8,8 @@
 
 namespace windfall::sim {
 
-namespace {
-constexpr std::uint32_t kTreeletSize = 512;
-}
-
-TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads)
+TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads,
+                     std::uint32_t treeletSize)
     : trees_(std::move(trees)), threads_(std::max(threads, 1)) {
   std::vector<std::int32_t> parents;
   for (const TreeInstance& instance : trees_) {
@@ -22,7 +19,7 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
       parents.push_back(link.parent < 0 ? -1 : link.parent + static_cast<std::int32_t>(first));
     }
   }
-  partition_ = partition(parents, kTreeletSize);
+  partition_ = partition(parents, treeletSize);
   shapes_.resize(parents.size());
   factors_.resize(parents.size());
   motion_.resize(parents.size());

@@ -16,7 +16,9 @@ namespace windfall::sim {
 class TreeField {
  public:
   /// The trees have no problem (problemOf).
-  TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads);
+  TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads,
+            std::uint32_t treeletSize = kTreeletSize);
+  static constexpr std::uint32_t kTreeletSize = 512;  ///< links that one thread takes as a whole, at most
 
   /// Takes over new settings, fallen leaves (m2 a link) or trees of the same links; the motion goes on.
   void factorise(const FactorSettings& settings);

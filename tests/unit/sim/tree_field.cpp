@@ -1,0 +1,245 @@
+#include "sim/tree_field.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "kernels/link_step.h"
+#include "kernels/random.h"
+#include "sim/articulated.h"
+#include "sim/sample_tree.h"
+
+using namespace windfall;
+using namespace windfall::sim;
+
+namespace {
+
+/// Air that moves everywhere alike.
+struct UniformWind {
+  explicit UniformWind(const vec3& velocity) { nodes.fill(vec4(velocity, 0)); }
+  WindView view() const { return {nodes.data(), 2, 2, 2, vec3(-50), vec3(0.01f)}; }
+  std::array<vec4, 8> nodes;
+};
+
+TreeField fieldOf(Tree tree, const FactorSettings& settings, int threads = 1, std::uint32_t size = 512) {
+  return TreeField({{std::make_shared<Tree>(std::move(tree)), {}}}, settings, threads, size);
+}
+
+void setAngles(TreeField& field, float size) {
+  RandomSequence random(5);
+  for (LinkMotion& m : field.motion()) {
+    const auto draw = [&] { return size * static_cast<float>(random.uniform(-1, 1)); };
+    m.angle = vec3(draw(), draw(), draw());
+  }
+  field.pose();
+}
+
+SampleTreeSettings smallTree() {
+  SampleTreeSettings settings;
+  settings.children = {6, 5, 3};
+  return settings;
+}
+
+vec3 tipOf(const TreeField& field, std::size_t link) {
+  return placeOf(field.current()[link], vec3(0, 0, 2 * field.shapes()[link].halfLength));
+}
+
+}  // namespace
+
+TEST_CASE("without damping energy never grows, over ten decades of stiffness and any step") {
+  const UniformWind calm(vec3(0));
+  for (const float stiffness : {1e-5f, 1e-2f, 1.f, 1e2f, 1e5f}) {
+    for (const double h : {1.0 / 240, 1.0 / 60, 1.0 / 10, 1.0, 10.0}) {
+      for (const double implicitness : {0.5, 0.6}) {
+        CAPTURE(stiffness);
+        CAPTURE(h);
+        CAPTURE(implicitness);
+        Tree tree = sampleTree(smallTree());
+        for (Link& link : tree.links) {
+          link.stiffnessScale = stiffness;
+          link.windScale = 0;
+        }
+        FactorSettings settings;
+        settings.h = h;
+        settings.implicitness = implicitness;
+        settings.dampingRatio = 0;
+        settings.gravity = glm::dvec3(0);
+        TreeField field = fieldOf(tree, settings);
+        setAngles(field, 0.1f);
+        const double start = field.elasticEnergy();
+        double last = start;
+        bool grew = false;
+        for (int i = 0; i < 60; ++i) {
+          field.step(calm.view());
+          const double energy = field.elasticEnergy() + field.kineticEnergy();
+          // Single precision rounds; what is left at the end is noise.
+          const double slack = implicitness > 0.55 ? (last > 1e-4 * start ? 0 : 1e-6 * start) : 5e-5 * start;
+          grew = grew || !(energy <= last + slack);
+          last = energy;
+        }
+        CHECK_FALSE(grew);
+      }
+    }
+  }
+}
+
+TEST_CASE("a released chain moves as the full nonlinear equations say") {
+  // tree_dynamics.md, V4: relative rms error of the tip at 60 steps a second.
+  const UniformWind calm(vec3(0));
+  for (const int links : {1, 2, 3, 5}) {
+    CAPTURE(links);
+    Tree tree = cantilever(links, 3, 0.015f);
+    for (Link& link : tree.links) {
+      link.windScale = 0;
+      link.woodDensity = 900;
+    }
+    FactorSettings settings;
+    settings.dampingRatio = 0.05;
+    settings.gravity = glm::dvec3(0);
+    const std::vector<LinkBody> bodies = bodiesOf(tree);
+    const double beta = 2 * 0.05 / (2 * std::numbers::pi * firstFrequency(bodies));
+    const std::vector<Composite> composites = compositesOf(bodies);
+    for (const double implicitness : {0.5, 0.6}) {
+      CAPTURE(implicitness);
+      settings.implicitness = implicitness;
+      TreeField field = fieldOf(tree, settings);
+      ArticulatedTree<double> reference(bodies, beta);
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        // Pulled aside at the tip by 1.5 N.
+        const double lever = 3 - 3.0 * static_cast<double>(i) / links;
+        const double angle = 1.5 * lever / bodies[i].stiffness.x;
+        field.motion()[i].angle = vec3(static_cast<float>(angle), 0, 0);
+        reference.parts()[i].relative = ArticulatedTree<double>::turned({1, 0, 0, 0}, {angle, 0, 0});
+        reference.parts()[i].rotor.z = twistFloor(bodies[i], composites[i]);
+      }
+      field.pose();
+      reference.pose();
+      double error = 0, size = 0;
+      for (int i = 0; i < 180; ++i) {
+        field.step(calm.view());
+        for (int k = 0; k < 100; ++k) reference.stepRungeKutta(1.0 / 6000, [](auto&) {});
+        const auto& last = reference.parts().back();
+        const glm::dvec3 exact = last.position + last.rotation * glm::dvec3(0, 0, 2 * last.half);
+        const glm::dvec3 tip(tipOf(field, bodies.size() - 1));
+        error += std::pow(tip.z - exact.z, 2);
+        size += exact.z * exact.z;
+      }
+      CHECK(std::sqrt(error / size) < (implicitness < 0.55 ? 0.022 : 0.05));
+    }
+  }
+}
+
+TEST_CASE("in steady wind the tree leans until springs carry the loads, whatever the step") {
+  const UniformWind wind(vec3(8, 0, 0));
+  const Tree tree = sampleTree(smallTree());
+  vec3 first(0);
+  for (const double h : {1.0 / 240, 1.0 / 60, 1.0 / 30}) {
+    CAPTURE(h);
+    FactorSettings settings;
+    settings.h = h;
+    settings.windSpeed = 8;
+    TreeField field = fieldOf(tree, settings);
+    for (int i = 0; i < static_cast<int>(60 / h); ++i) field.step(wind.view());
+
+    // The torques of the current pose, summed here in double precision.
+    const std::size_t n = field.size();
+    std::vector<glm::dvec3> force(n), torque(n);
+    double difference = 0, total = 0;
+    for (std::size_t i = n; i-- > 0;) {
+      const LinkState& state = field.current()[i];
+      const LinkShape& shape = field.shapes()[i];
+      const vec3 along = rotate(state.rotation, vec3(0, 0, 1));
+      const glm::dvec3 own(linkDrag(shape, along, vec3(8, 0, 0)) - vec3(0, shape.weight, 0));
+      force[i] += own;
+      torque[i] += glm::cross(glm::dvec3(along * shape.halfLength), own);
+      if (shape.parent >= 0) {
+        const auto p = static_cast<std::size_t>(shape.parent);
+        force[p] += force[i];
+        torque[p] += torque[i] + glm::cross(glm::dvec3(state.position - field.current()[p].position), force[i]);
+      }
+      const vec4 parent =
+          shape.parent < 0 ? vec4(0, 0, 0, 1) : field.current()[static_cast<std::size_t>(shape.parent)].rotation;
+      vec3 local = rotateBack(shape.restRotation, rotateBack(parent, vec3(torque[i]))) - shape.preStress;
+      const float q = glm::length(local / shape.stiffness) / 0.8f;
+      local *= std::pow(1 + q * q * q * q, -0.25f);
+      const vec3 rest = shape.stiffness * field.motion()[i].angle - local;
+      difference += static_cast<double>(glm::dot(rest, rest));
+      total += static_cast<double>(glm::dot(local, local));
+    }
+    CHECK(std::sqrt(difference / total) < 2e-5);
+    CHECK(field.kineticEnergy() < 1e-6 * field.elasticEnergy());
+    const vec3 tip = tipOf(field, 9);
+    if (first == vec3(0)) first = tip;
+    CHECK(glm::length(tip - first) < 2e-4f);
+  }
+  CHECK(first.x > 0.02f);
+  CHECK(first.x < 2);
+}
+
+TEST_CASE("threads and treelets do not change a bit") {
+  const UniformWind wind(vec3(9, 0, 3));
+  FactorSettings settings;
+  settings.windSpeed = 9;
+  TreeField one = fieldOf(sampleTree(), settings, 1), two = fieldOf(sampleTree(), settings, 2, 64),
+            whole = fieldOf(sampleTree(), settings, 1, 1u << 20u);
+  for (int i = 0; i < 60; ++i) {
+    one.step(wind.view());
+    two.step(wind.view());
+    whole.step(wind.view());
+  }
+  const auto same = [&](const TreeField& other) {
+    return std::equal(one.current().begin(), one.current().end(), other.current().begin(),
+                      [](const LinkState& a, const LinkState& b) {
+                        return a.rotation == b.rotation && a.position == b.position && a.velocity == b.velocity;
+                      });
+  };
+  CHECK(one.largestAngle() > 0.02f);
+  CHECK(same(two));
+  CHECK(same(whole));
+}
+
+TEST_CASE("in calm air the rest pose stays, leaning branches included") {
+  const UniformWind calm(vec3(0));
+  TreeField field = fieldOf(sampleTree(), {});
+  for (int i = 0; i < 300; ++i) field.step(calm.view());
+  CHECK(field.largestAngle() < 1e-4f);
+}
+
+TEST_CASE("velocities of links are the rate of their places") {
+  const UniformWind wind(vec3(10, 0, 0));
+  FactorSettings settings;
+  settings.h = 1.0 / 2000;
+  settings.windSpeed = 10;
+  TreeField field = fieldOf(sampleTree(smallTree()), settings);
+  for (int i = 0; i < 800; ++i) field.step(wind.view());
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const LinkState &a = field.previous()[i], &b = field.current()[i];
+    const vec3 rate = (b.position - a.position) * 2000.f;
+    const vec3 mean = 0.5f * (a.velocity + b.velocity);
+    difference += static_cast<double>(glm::dot(rate - mean, rate - mean));
+    size += static_cast<double>(glm::dot(mean, mean));
+  }
+  CHECK(size > 0);
+  CHECK(std::sqrt(difference / size) < 0.05);
+}
+
+TEST_CASE("fallen leaves make a tree lighter and let more wind through") {
+  Tree tree = sampleTree(smallTree());
+  std::vector<float> lost;
+  for (const Link& link : tree.links) lost.push_back(link.leafArea);
+  TreeField field = fieldOf(tree, {});
+  const float drag = field.shapes()[5].leafDrag, weight = field.shapes()[0].weight;
+  double before = 0, after = 0;
+  for (const LinkShape& shape : field.shapes()) before += static_cast<double>(shape.weight);
+  field.setLostArea(lost);
+  for (const LinkShape& shape : field.shapes()) {
+    after += static_cast<double>(shape.weight);
+    CHECK(shape.leafDrag == 0);
+  }
+  CHECK(drag >= 0);
+  CHECK(field.shapes()[0].weight == weight);  // the trunk's own
+  CHECK(after < before);
+}
