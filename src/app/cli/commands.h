@@ -6,5 +6,7 @@
 namespace windfall::app {
 
 void declareBench(CLI::App& app, Action& action);
+void declareCheck(CLI::App& app, Action& action);
+void declareNew(CLI::App& app, Action& action);
 
 }  // namespace windfall::app

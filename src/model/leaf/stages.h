@@ -27,7 +27,11 @@ struct LabelField {
   int count = 0;
 };
 
+// GCC 12 takes the scoped Stage::Veins for a shadow of the type of that name.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
 enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants };
+#pragma GCC diagnostic pop
 
 /// What was derived from a leaf. Working images have the long side `parameters.synthesis.size` at most; contour, root,
 /// tip and veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).

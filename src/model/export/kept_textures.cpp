@@ -1,0 +1,28 @@
+#include "model/export/kept_textures.h"
+
+#include <algorithm>
+
+#include "model/leaf/stages.h"
+
+namespace windfall::model {
+
+Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progress) {
+  const auto wanted = [](const Variant& variant) { return variant.keep && !variant.image.isNull(); };
+  std::vector<LeafTexture> textures;
+  if (std::none_of(leaf.variants.begin(), leaf.variants.end(), wanted)) return textures;
+  const Result<LeafStages> stages = computeStages(leaf, Stage::Contour, progress);
+  if (!stages) return stages.error();
+  for (size_t i = 0; i < leaf.variants.size(); ++i) {
+    const Variant& variant = leaf.variants[i];
+    if (!wanted(variant)) continue;
+    // Root and tip are in photo pixels, a variant may be smaller than the photo.
+    const double x = double(variant.image.width()) / stages->photo.width();
+    const double y = double(variant.image.height()) / stages->photo.height();
+    const auto scaled = [x, y](QPointF point) { return QPointF(point.x() * x, point.y() * y); };
+    textures.push_back(uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
+                                      variant.image, scaled(stages->root), scaled(stages->tip), leaf.bladeLength));
+  }
+  return textures;
+}
+
+}  // namespace windfall::model
