@@ -77,12 +77,11 @@ float sunVisibility(vec3 position, vec3 normal, float softness) {
   return mix(1.0, lit, rim.x * rim.y);
 }
 
-// Air between the eye and a point: fades into the horizon's light of that direction.
-vec3 throughAir(vec3 color, vec3 position) {
+// Air between the eye and a point: the horizon's light of that direction, and in w how much of it there is.
+vec4 airBefore(vec3 position) {
   vec3 ray = position - eye.xyz;
   float distance = length(ray);
-  float share = 1.0 - exp(-distance * 0.0016 - distance * distance * 1.2e-6);
+  float share = 1.0 - exp(-distance * 0.0011 - distance * distance * 1.0e-6);
   vec3 direction = ray / max(distance, 1e-3);
-  vec3 haze = skyRadiance(vec3(direction.x, 0.02, direction.z));
-  return mix(color, haze, share);
+  return vec4(skyRadiance(vec3(direction.x, 0.02, direction.z)), share);
 }

@@ -16,9 +16,9 @@ vec3 graded(vec3 value) {
   const mat3 outset = mat3(1.19687900512017, -0.0528968517574562, -0.0529716355144438, -0.0980208811401368,
                            1.15190312990417, -0.0980434501171241, -0.0990297440797205, -0.0989611768448433,
                            1.15107367264116);
-  value = pow(max(value, 0.0) * vec3(1.015, 1.0, 0.965), vec3(1.22));
+  value = pow(max(value, 0.0) * vec3(1.015, 1.0, 0.965), vec3(1.38));
   float grey = dot(value, vec3(0.2126, 0.7152, 0.0722));
-  return outset * (grey + 1.3 * (value - grey));
+  return outset * (grey + 1.38 * (value - grey));
 }
 
 void main() {

@@ -25,24 +25,19 @@ float specular(vec3 normal, vec3 view, float roughness) {
   return a2 / (kPi * d * d) * fresnel * 0.25 / max(mix(nl, 1.0, a) * mix(nv, 1.0, a), 0.05) * nl;
 }
 
-vec3 woodLight(vec3 albedo, vec3 position, vec3 normal, vec3 smoothNormal, vec3 view, float roughness) {
-  float visible = sunVisibility(position, smoothNormal, 1.2);
-  float open = canopyOpenness(position, normal) * mix(0.55, 1.0, smoothstep(0.0, 0.9, position.y));
-  vec3 sun = sunColor.rgb * visible;
-  return albedo / kPi * sun * max(dot(normal, toSun.xyz), 0.0) + sun * specular(normal, view, roughness) +
-         albedo * ambientLight(normal) * open;
+// `around` is the diffuse light from sky and ground on that side, less what crowns hold back.
+vec3 woodLight(vec3 albedo, vec3 around, vec3 position, vec3 normal, vec3 smoothNormal, vec3 view, float roughness) {
+  vec3 sun = sunColor.rgb * sunVisibility(position, smoothNormal, 1.2);
+  return albedo / kPi * sun * max(dot(normal, toSun.xyz), 0.0) + sun * specular(normal, view, roughness) + albedo * around;
 }
 
 // `normal` looks to the viewer's side. Light from the other side comes through, in a fuller colour.
-vec3 foliageLight(vec3 albedo, vec3 position, vec3 normal, vec3 view, float roughness) {
+vec3 foliageLight(vec3 albedo, vec3 around, vec3 behind, vec3 position, vec3 normal, vec3 view, float roughness) {
   float facing = dot(normal, toSun.xyz);
-  float visible = sunVisibility(position, normal * sign(facing), 1.2);
-  float open = canopyOpenness(position, normal);
-  vec3 sun = sunColor.rgb * visible;
+  vec3 sun = sunColor.rgb * sunVisibility(position, normal * sign(facing), 1.2);
   // Twice through the pigment: deeper and more saturated than what is reflected.
   vec3 through = albedo * (0.35 + 0.9 * albedo) * 1.25;
   vec3 light = sun / kPi * (albedo * max(facing, 0.0) + through * max(-facing, 0.0));
   light += sun * specular(normal, view, roughness) * 0.6;
-  light += (albedo * ambientLight(normal) + 0.45 * through * ambientLight(-normal)) * open;
-  return light;
+  return light + albedo * around + 0.45 * through * behind;
 }

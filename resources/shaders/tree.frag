@@ -6,42 +6,45 @@ layout(location = 2) in vec2 textureUv;
 layout(location = 3) in vec3 restPosition;
 layout(location = 4) in vec3 restNormal;
 layout(location = 5) in float highlight;
+layout(location = 6) in vec3 around;
+layout(location = 7) in vec3 behind;
+layout(location = 8) in vec4 air;
 layout(location = 0) out vec4 color;
 layout(binding = 3) uniform sampler2D picture;
 layout(location = 0) uniform vec4 baseColor;
-layout(location = 1) uniform vec4 look;  // roughness, has a picture, foliage, height of the bark's relief in m
+layout(location = 1) uniform vec4 look;  // roughness, has a picture, 0, height of the bark's relief in m
 
 // Bark from noise, stretched along the trunk, laid on from two sides: x is height, y lightness.
 vec2 barkRelief(vec3 rest, vec3 normal) {
   vec2 sideways = abs(normal.xz);
   float share = smoothstep(0.35, 0.65, sideways.x / (sideways.x + sideways.y + 1e-4));
-  vec4 a = texture(noiseMap, vec2(rest.x * 1.5, rest.y * 0.30));
-  vec4 b = texture(noiseMap, vec2(rest.z * 1.5 + 0.4, rest.y * 0.30 + 0.2));
+  vec4 a = texture(noiseMap, vec2(rest.x * 3.6, rest.y * 0.75));
+  vec4 b = texture(noiseMap, vec2(rest.z * 3.6 + 0.4, rest.y * 0.75 + 0.2));
   vec4 both = mix(a, b, share);
-  return vec2(both.b * 0.7 + both.g * 0.3, both.r);
+  return vec2(both.b * 0.65 + both.g * 0.35, both.r);
 }
 
 void main() {
   vec3 normal = normalize(worldNormal);
   vec3 view = normalize(eye.xyz - worldPosition);
   vec4 texel = look.y > 0.5 ? texture(picture, textureUv) : vec4(1.0);
-  float alpha = 1.0;
   vec3 albedo = baseColor.rgb * texel.rgb / max(texel.a, 1e-3);
-  vec3 light;
-  if (look.z > 0.5) {
-    alpha = sharpened(texel.a);
-    if (alpha <= 0.0) discard;
-    if (dot(normal, view) < 0.0) normal = -normal;
-    light = foliageLight(albedo, worldPosition, normal, view, look.x);
-  } else {
-    vec2 bark = barkRelief(restPosition, normalize(restNormal));
-    float relief = look.y > 0.5 ? dot(texel.rgb, vec3(0.33)) : bark.x;
-    normal = bumped(normal, worldPosition, relief * look.w);
-    albedo *= look.y > 0.5 ? 1.0 : mix(0.45, 1.45, bark.x) * mix(0.8, 1.15, bark.y);
-    light = woodLight(albedo, worldPosition, normal, normalize(worldNormal), view, look.x);
-  }
+  float alpha = 1.0;
+#ifdef FOLIAGE
+  alpha = sharpened(texel.a);
+  if (alpha <= 0.0) discard;
+  bool front = dot(normal, view) >= 0.0;
+  normal = front ? normal : -normal;
+  vec3 light = foliageLight(albedo, front ? around : behind, front ? behind : around, worldPosition, normal, view, look.x);
+#else
+  vec2 bark = look.y > 0.5 ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
+  vec3 smoothNormal = normal;
+  normal = bumped(normal, worldPosition, bark.x * look.w);
+  albedo *= look.y > 0.5 ? 1.0 : mix(0.28, 1.5, bark.x * bark.x) * mix(0.75, 1.2, bark.y);
+  vec3 light = woodLight(albedo, around, worldPosition, normal, smoothNormal, view, look.x);
+#endif
   // Chosen links: the accent over the surface, brighter towards the silhouette.
   float rim = pow(1.0 - abs(dot(normal, view)), 2.0);
   light = mix(light, accent.rgb * (0.55 * dot(light, vec3(0.33)) + 0.35 + 1.1 * rim), highlight * accent.w);
-  color = vec4(throughAir(light, worldPosition), alpha);
+  color = vec4(mix(light, air.rgb, air.a), alpha);
 }

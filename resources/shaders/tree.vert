@@ -14,6 +14,9 @@ layout(location = 2) out vec2 textureUv;
 layout(location = 3) out vec3 restPosition;
 layout(location = 4) out vec3 restNormal;
 layout(location = 5) out float highlight;
+layout(location = 6) out vec3 around;  // diffuse light on the side of the normal, and on the other
+layout(location = 7) out vec3 behind;
+layout(location = 8) out vec4 air;
 
 float highlighted(uint link) {
   uint bit = firstLink + link;
@@ -28,5 +31,10 @@ void main() {
   restPosition = position;
   restNormal = normal;
   highlight = accent.w > 0.0 ? dot(vec4(highlighted(links.x), highlighted(links.y), highlighted(links.z), highlighted(links.w)), weights) : 0.0;
+  vec3 outwards = normalize(worldNormal);
+  float open = canopyOpenness(worldPosition, outwards) * mix(0.55, 1.0, smoothstep(0.0, 0.9, worldPosition.y));
+  around = ambientLight(outwards) * open;
+  behind = ambientLight(-outwards) * open;
+  air = airBefore(worldPosition);
   gl_Position = viewProjection * vec4(worldPosition, 1.0);
 }

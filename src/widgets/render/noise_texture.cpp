@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/random.h"
+#include "widgets/render/gl_version.h"
 
 namespace windfall::render {
 
@@ -68,6 +69,11 @@ Texture makeNoiseTexture() {
   glGenerateTextureMipmap(texture.id());
   glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  // The ground is seen at a glancing angle. llvmpipe's anisotropic filter takes minutes for a frame.
+  if (!isSoftware() && (epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic") ||
+                        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))) {
+    glTextureParameterf(texture.id(), GL_TEXTURE_MAX_ANISOTROPY, 4);
+  }
   return texture;
 }
 

@@ -21,7 +21,7 @@
 namespace windfall::render {
 
 namespace {
-const vec3 kGroundAlbedo(0.17f, 0.14f, 0.05f);
+const vec3 kGroundAlbedo(0.13f, 0.10f, 0.035f);
 }  // namespace
 
 struct Renderer::Impl {

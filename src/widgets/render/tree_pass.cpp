@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <tuple>
 
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -16,7 +15,7 @@ namespace windfall::render {
 namespace {
 
 constexpr int kLargestPicture = 2048;
-constexpr float kBarkRelief = 0.006f;  // m
+constexpr float kBarkRelief = 0.012f;  // m
 
 Error mismatch(std::size_t mesh, const std::string& what) {
   return Error{"mesh " + std::to_string(mesh + 1) + ": " + what};
@@ -106,13 +105,16 @@ void Bounds::add(const vec3& point) {
 }
 
 Status TreePass::compile() {
-  for (auto [program, vertex, fragment, define] :
-       {std::tuple{&standard_, "tree.vert", "tree.frag", "STANDARD_QUALITY"},
-        std::tuple{&high_, "tree.vert", "tree.frag", "HIGH_QUALITY"},
-        std::tuple{&shadow_, "tree_shadow.vert", "tree_shadow.frag", "STANDARD_QUALITY"}}) {
-    Result<Program> linked = linkProgram(vertex, fragment, {define});
+  const auto link = [](Program& into, const std::string& name, const std::vector<std::string>& defines) -> Status {
+    Result<Program> linked = linkProgram(name + ".vert", name + ".frag", defines);
     if (!linked) return linked.error();
-    *program = std::move(*linked);
+    into = std::move(*linked);
+    return ok();
+  };
+  for (const Status& status :
+       {link(wood_[0], "tree", {}), link(wood_[1], "tree", {"HIGH_QUALITY"}), link(foliage_[0], "tree", {"FOLIAGE"}),
+        link(foliage_[1], "tree", {"FOLIAGE", "HIGH_QUALITY"}), link(shadow_, "tree_shadow", {})}) {
+    if (!status) return status;
   }
   return ok();
 }
@@ -171,16 +173,16 @@ Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firs
 
 int TreePass::draw(bool highQuality) const {
   int calls = 0;
-  glUseProgram((highQuality ? high_ : standard_).id());
   for (const GpuMesh& mesh : meshes_) {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool pictured = material.picture >= 0;
+      glUseProgram((material.foliage ? foliage_ : wood_)[highQuality ? 1 : 0].id());
       if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
       glUniform4fv(0, 1, glm::value_ptr(material.baseColor));
-      glUniform4f(1, material.roughness, pictured ? 1.f : 0.f, material.foliage ? 1.f : 0.f, kBarkRelief);
+      glUniform4f(1, material.roughness, pictured ? 1.f : 0.f, 0.f, kBarkRelief);
       if (material.foliage) {
         glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
       } else {

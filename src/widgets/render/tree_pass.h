@@ -42,7 +42,7 @@ class TreePass {
 
   std::vector<GpuMesh> meshes_;
   std::vector<TreeDraw> trees_;
-  Program standard_, high_, shadow_;
+  Program wood_[2], foliage_[2], shadow_;  ///< [1]: high quality
 };
 
 }  // namespace windfall::render
