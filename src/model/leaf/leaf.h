@@ -16,10 +16,10 @@ namespace windfall::model {
 /// Growth of veins by seed (leaf_textures.md, 3). Lengths are shares of the image's long side.
 struct VeinParameters {
   quint64 seed = 1;
-  int laterals = 8;            ///< a side
-  double basalAngle = 62;      ///< degrees from the main vein at the base
-  double apicalAngle = 35;     ///< degrees at the tip
-  double wiggle = 15;          ///< degrees, largest turn of a step
+  int laterals = 8;         ///< a side
+  double basalAngle = 62;   ///< degrees from the main vein at the base
+  double apicalAngle = 35;  ///< degrees at the tip
+  double wiggle = 15;       ///< degrees, largest turn of a step
   bool operator==(const VeinParameters&) const = default;
 };
 
@@ -31,10 +31,10 @@ struct DistanceCosts {
 
 /// Classic synthesis: superpixels matched by region and distance, then smoothed (leaf_textures.md, 6 to 8).
 struct SynthesisParameters {
-  int size = 1024;          ///< long side of the result, px
-  int superpixels = 4096;   ///< wanted on the blade
-  int candidates = 8;       ///< N: nearest in structural and vein distance, one is drawn
-  double smoothing = 1.0;   ///< w1
+  int size = 1024;         ///< long side of the result, px
+  int superpixels = 4096;  ///< wanted on the blade
+  int candidates = 8;      ///< N: nearest in structural and vein distance, one is drawn
+  double smoothing = 1.0;  ///< w1
   bool operator==(const SynthesisParameters&) const = default;
 };
 
@@ -59,11 +59,11 @@ struct Leaf {
   AssetId id;
   QString name;
   SourceFile photo;
-  QImage mask;                    ///< Grayscale8 of the photo's size, white leaf; null: automatic
-  std::optional<QPointF> root;    ///< where the petiole meets the blade, px
-  Veins veins;                    ///< drawn by hand; empty: grown
-  std::vector<QPointF> markers;   ///< region markers, px; empty: automatic
-  double bladeLength = 0.08;      ///< m, root to tip
+  QImage mask;                   ///< Grayscale8 of the photo's size, white leaf; null: automatic
+  std::optional<QPointF> root;   ///< where the petiole meets the blade, px
+  Veins veins;                   ///< drawn by hand; empty: grown
+  std::vector<QPointF> markers;  ///< region markers, px; empty: automatic
+  double bladeLength = 0.08;     ///< m, root to tip
   LeafParameters parameters;
   std::vector<Variant> variants;
   bool operator==(const Leaf&) const = default;

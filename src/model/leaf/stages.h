@@ -36,15 +36,15 @@ enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, 
 /// What was derived from a leaf. Working images have the long side `parameters.synthesis.size` at most; contour, root,
 /// tip and veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).
 struct LeafStages {
-  QImage photo;       ///< RGBA8888, EXIF rotation applied, photo size
-  QImage mask;        ///< Grayscale8, photo size
+  QImage photo;  ///< RGBA8888, EXIF rotation applied, photo size
+  QImage mask;   ///< Grayscale8, photo size
   double scale = 1;
   std::vector<QPointF> border;   ///< every border pixel in order, counter-clockwise seen with y up
   std::vector<QPointF> contour;  ///< simplified by RDP
   QPointF root, tip;
   Veins veins;
-  ScalarField distance;      ///< structural distance, 0..1 (99.5 percentile), 0 outside
-  ScalarField veinDistance;  ///< distance to the nearest vein over twice its 95th percentile
+  ScalarField distance;          ///< structural distance, 0..1 (99.5 percentile), 0 outside
+  ScalarField veinDistance;      ///< distance to the nearest vein over twice its 95th percentile
   std::vector<QPointF> markers;  ///< in photo pixels, those that were used
   LabelField regions;
   LabelField superpixels;

@@ -1,0 +1,17 @@
+// Which pixels are leaf.
+#pragma once
+
+#include <QImage>
+
+#include "model/progress.h"
+#include "sim/result.h"
+
+namespace windfall::model {
+
+/// Finds the leaf in a photo: Grayscale8 of the photo's size, 255 blade and petiole, 0 ground and holes.
+/// The ground's colour is followed over the picture, so that uneven light does not matter; of lightness and colour the
+/// one that separates best decides; then the margin is set half-way between leaf and ground where it lies
+/// (leaf_textures.md, 2). A picture with transparency brings its mask. Error: no leaf.
+Result<QImage> automaticMask(const QImage& photo, Progress& progress);
+
+}  // namespace windfall::model
