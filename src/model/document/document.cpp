@@ -47,7 +47,10 @@ QStringList namesOf(const std::vector<T>& items, AssetId except = {}) {
 DocumentCommand::DocumentCommand(Document& document, const QString& text) : QUndoCommand(text), document_(document) {}
 const Project& DocumentCommand::project() const { return document_.project_; }
 Project& DocumentCommand::project() { return document_.project_; }
-void DocumentCommand::announce(const Change& change) { emit document_.changed(change); }
+void DocumentCommand::announce(const Change& change) {
+  ++document_.revision_;
+  emit document_.changed(change);
+}
 
 Document::Document(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
@@ -60,6 +63,7 @@ void Document::open(Project project, const QString& path) {
   project_ = std::move(project);
   path_ = path;
   highestId_ = project_.nextId - 1;
+  ++revision_;
   undo_.clear();
   emit changed({{}, Aspect::Everything, {}});
 }
@@ -73,9 +77,13 @@ Status Document::load(const QString& path, Progress& progress) {
 
 Status Document::save(const QString& path, Progress& progress) {
   if (Status written = writeProject(project_, path, progress); !written) return written;
-  path_ = path;
-  undo_.setClean();
+  markSaved(path, revision_);
   return ok();
+}
+
+void Document::markSaved(const QString& path, quint64 revision) {
+  path_ = path;
+  if (revision == revision_) undo_.setClean();
 }
 
 void Document::paintMask(AssetId leaf, const QImage& after, QRect dirty, const QString& text) {

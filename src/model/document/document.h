@@ -32,6 +32,11 @@ class Document : public QObject {
   /// Reads and opens; on error nothing changes.
   Status load(const QString& path, Progress& progress);
   Status save(const QString& path, Progress& progress);
+  /// Saving in the background: a job writes a copy of the project, then says which revision went where. The document is
+  /// clean only if nothing was edited meanwhile.
+  void markSaved(const QString& path, quint64 revision);
+  /// Counts edits, undone and redone ones too; equal revisions mean equal projects but for view and simulation.
+  quint64 revision() const { return revision_; }
 
   /// Property edits. Consecutive edits with the same non-empty `merge` key become one undo step; an edit that ends
   /// where it began drops out.
@@ -79,6 +84,7 @@ class Document : public QObject {
   quint64 highestId_ = 0;  ///< ever given out here; undoing an addition lowers project_.nextId again
   QUndoStack undo_;
   QString path_;
+  quint64 revision_ = 0;
 };
 
 }  // namespace windfall::model

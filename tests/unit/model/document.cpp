@@ -45,6 +45,7 @@ class DocumentTest : public QObject {
   void editsOfOtherThingsDoNotMerge();
   void settingTheSameValueKeepsTheRedoHistory();
   void modifiedMeansTheStackIsNotClean();
+  void editsDuringASaveStayUnsaved();
   void viewAndSimulationAreNoEdits();
   void namesAreMadeUnique();
   void idsAreNeverUsedAgain();
@@ -115,6 +116,20 @@ void DocumentTest::modifiedMeansTheStackIsNotClean() {
   QVERIFY(!document.isModified());
   QVERIFY(!document.undoStack().canUndo());
   QCOMPARE(document.path(), QString("x.windfall"));
+}
+
+void DocumentTest::editsDuringASaveStayUnsaved() {
+  Document document;
+  document.setScene(&Scene::seed, quint64(7), Aspect::FallingLeaves, "Seed");
+  const quint64 copied = document.revision();
+  document.setView({"plant", {}, {}});
+  document.undoStack().undo();
+  document.setScene(&Scene::seed, quint64(8), Aspect::FallingLeaves, "Seed");
+  document.markSaved("x.windfall", copied);
+  QVERIFY(document.isModified());
+  QCOMPARE(document.path(), QString("x.windfall"));
+  document.markSaved("x.windfall", document.revision());
+  QVERIFY(!document.isModified());
 }
 
 void DocumentTest::viewAndSimulationAreNoEdits() {
