@@ -12,10 +12,10 @@ namespace windfall::model {
 /// A botanical axis: consecutive bones from base to tip.
 struct Branch {
   QString name;
-  int parent = -1;     ///< branch that it leaves
-  int order = 0;       ///< 0 trunk
+  int parent = -1;  ///< branch that it leaves
+  int order = 0;    ///< 0 trunk
   std::vector<int> bones;
-  double length = 0;     ///< m
+  double length = 0;      ///< m
   double baseRadius = 0;  ///< m
 };
 
@@ -29,13 +29,15 @@ struct PlantBodies {
   std::vector<Branch> branches;
   std::vector<int> linkOfBone;  ///< -1 for bones that became no link
   std::vector<int> boneOfLink;
+  std::vector<int> carrierOfBone;  ///< link that moves the bone's vertices: its own, or its nearest ancestor's
 };
 PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int firstLayer = 0, int layers = 1);
 
 /// `windfall plant --info`.
 struct PlantInfo {
   QString format;
-  int plants = 1, nodes = 0, bones = 0, rigidBodies = 0, chains = 0, depth = 0, stems = 0, leaves = 0, buds = 0, maxInfluences = 0;
+  int plants = 1, nodes = 0, bones = 0, rigidBodies = 0, chains = 0, depth = 0, stems = 0, leaves = 0, buds = 0,
+      maxInfluences = 0;
   double totalStemLength = 0, mass = 0, firstFrequency = 0;
   vec3 lower{0}, upper{0};  ///< bounding box, m
 };

@@ -14,7 +14,7 @@ namespace windfall::model {
 
 /// A bone at rest; parents stand before children.
 struct Bone {
-  QString name;     ///< unique in its plant
+  QString name;  ///< unique in its plant
   int parent = -1;
   vec3 head{0}, tail{0};  ///< m, plant space
   float radius = 0;       ///< m, mean of the mesh's cross-section along the bone
@@ -34,7 +34,7 @@ struct Material {
   vec4 baseColor{0.5f, 0.5f, 0.5f, 1};  ///< linear
   QImage texture;                       ///< null: none
   float roughness = 0.8f;
-  bool leaf = false;      ///< foliage: name, alpha or small components say so
+  bool leaf = false;  ///< foliage: name, alpha or small components say so
   bool doubleSided = false;
 };
 
@@ -54,7 +54,9 @@ struct PlantGeometry {
   std::vector<Material> materials;
   int nodes = 0;          ///< scene nodes in the file
   int maxInfluences = 0;  ///< before any cut
-  std::vector<sim::LeafSite> leafSites;  ///< leaves found in the mesh or placed by the grower; links are bone indices
+  /// Leaves found in the mesh or placed by the grower; links are bone indices, frames those of bones (frames.h: +z from
+  /// head to tail).
+  std::vector<sim::LeafSite> leafSites;
 };
 
 }  // namespace windfall::model

@@ -14,18 +14,18 @@ namespace windfall::model {
 /// Settings of the built-in grower: trunk and limbs by rule.
 struct GrowerSettings {
   quint64 seed = 1;
-  double height = 8;        ///< m
+  double height = 8;         ///< m
   double baseRadius = 0.11;  ///< m
   int limbs = 26;
-  int levels = 3;           ///< trunk, limbs, twigs
-  double spread = 55;       ///< degrees between a limb and the trunk
+  int levels = 3;      ///< trunk, limbs, twigs
+  double spread = 55;  ///< degrees between a limb and the trunk
   bool operator==(const GrowerSettings&) const = default;
 };
 
 /// What can be tuned about a link; multipliers are 1 by default.
 struct LinkAttributes {
   double stiffness = 1, damping = 1, windResponse = 1;
-  double woodDensity = 950;  ///< kg/m3
+  double woodDensity = 950;    ///< kg/m3
   double youngsModulus = 6e9;  ///< Pa
   bool operator==(const LinkAttributes&) const = default;
 };
@@ -33,11 +33,11 @@ struct LinkAttributes {
 struct Plant {
   AssetId id;
   QString name;
-  SourceFile file;                      ///< empty: grown
-  std::optional<GrowerSettings> grower;  ///< set when there is no file
+  SourceFile file;                          ///< empty: grown
+  std::optional<GrowerSettings> grower;     ///< set when there is no file
   std::map<QString, LinkAttributes> edits;  ///< by bone name; what is absent has defaults
-  std::vector<AssetId> leaves;          ///< leaf assets whose kept variants hang on it
-  double leafDensity = 1;               ///< leaves on the tree, share of the natural number
+  std::vector<AssetId> leaves;              ///< leaf assets whose kept variants hang on it
+  double leafDensity = 1;                   ///< leaves on the tree, share of the natural number
   bool operator==(const Plant&) const = default;
 };
 

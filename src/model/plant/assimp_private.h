@@ -1,0 +1,60 @@
+// The steps from an Assimp scene to a PlantGeometry; only the importer's own files include this.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "model/plant/bone_fit.h"
+#include "model/plant/geometry.h"
+#include "sim/result.h"
+
+namespace windfall::model::assimp {
+
+/// Double precision here: files in centimetres carry factors of 100 through long chains of bones.
+using Transform = glm::dmat4;
+
+/// A scene node, flattened; parents stand before children.
+struct Node {
+  const aiNode* source = nullptr;
+  int parent = -1;
+  Transform global{1};  ///< node to file space
+  int bone = -1;        ///< index of the bone it became
+};
+
+/// A mesh where it stands.
+struct Instance {
+  const aiMesh* mesh = nullptr;
+  int node = -1;
+  Transform toPlant{1};  ///< bind pose of the mesh to plant space
+};
+
+/// The file, indexed.
+struct File {
+  const aiScene* scene = nullptr;
+  bool gltf = false;
+  Transform toMetres{1};  ///< file space to plant space: unit and up axis
+  std::vector<Node> nodes;
+  std::vector<Instance> instances;
+  std::unordered_map<std::string, int> nodeByName;  ///< looked up, never iterated
+};
+
+Transform transformOf(const aiMatrix4x4& matrix);
+bool isFinite(const Transform& transform);
+
+/// Flattens the nodes; an error for a scene without a mesh, without an armature or with numbers that are none.
+Result<File> indexScene(const aiScene& scene, bool gltf);
+
+/// Fills the bones; returns what the fit of tails needs.
+Result<BoneHints> readBones(File& file, PlantGeometry& geometry);
+
+/// Fills vertices, indices, parts and maxInfluences.
+Status readMeshes(const File& file, PlantGeometry& geometry);
+
+/// Fills the materials, with the pictures that are inside the file.
+void readMaterials(const aiScene& scene, PlantGeometry& geometry);
+
+}  // namespace windfall::model::assimp

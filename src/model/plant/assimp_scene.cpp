@@ -1,0 +1,118 @@
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "model/plant/assimp_private.h"
+
+namespace windfall::model::assimp {
+
+Transform transformOf(const aiMatrix4x4& m) {
+  return Transform(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4);
+}
+
+bool isFinite(const Transform& transform) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(transform[column][row])) return false;
+    }
+  }
+  return true;
+}
+
+namespace {
+
+constexpr std::size_t kMostNodes = 4'000'000;
+
+template <class T>
+T metadata(const aiScene& scene, const char* key, T otherwise) {
+  T value = otherwise;
+  return scene.mMetaData != nullptr && scene.mMetaData->Get(key, value) ? value : otherwise;
+}
+
+/// Unit vector of an axis as FBX counts them.
+glm::dvec3 axis(int index, int sign) {
+  glm::dvec3 result(0);
+  result[index] = sign < 0 ? -1 : 1;
+  return result;
+}
+
+/// FBX says in which unit and along which axes it was written; glTF is metres and Y up by definition.
+Transform toMetres(const aiScene& scene) {
+  double centimetres = metadata<float>(scene, "UnitScaleFactor", 0);
+  if (centimetres == 0) centimetres = metadata<double>(scene, "UnitScaleFactor", 1);
+  if (!(centimetres > 0) || !std::isfinite(centimetres)) centimetres = 1;
+  const int up = metadata<int>(scene, "UpAxis", 1), front = metadata<int>(scene, "FrontAxis", 2);
+  const int right = metadata<int>(scene, "CoordAxis", 0);
+  Transform turn(1);
+  const bool axesAreThree = up >= 0 && front >= 0 && right >= 0 && up < 3 && front < 3 && right < 3 && up != front &&
+                            front != right && right != up;
+  // Newer versions of Assimp turn the root node themselves.
+  if (axesAreThree && scene.mRootNode->mTransformation.IsIdentity()) {
+    const glm::dvec3 x = axis(right, metadata<int>(scene, "CoordAxisSign", 1));
+    const glm::dvec3 y = axis(up, metadata<int>(scene, "UpAxisSign", 1));
+    const glm::dvec3 z = axis(front, metadata<int>(scene, "FrontAxisSign", 1));
+    turn = glm::transpose(Transform(glm::dmat3(x, y, z)));
+  }
+  return glm::scale(Transform(1), glm::dvec3(centimetres * 0.01)) * turn;
+}
+
+/// Where a skinned mesh stands when its bones are in their bind pose.
+Transform bindTransform(const File& file, const aiMesh& mesh, int node) {
+  // In glTF a skinned mesh ignores its own node: the joints place it. The topmost joint stands for all of them.
+  if (file.gltf) {
+    int best = -1;
+    Transform placed(1);
+    for (unsigned i = 0; i < mesh.mNumBones; ++i) {
+      const auto found = file.nodeByName.find(mesh.mBones[i]->mName.C_Str());
+      if (found == file.nodeByName.end() || (best >= 0 && found->second >= best)) continue;
+      best = found->second;
+      placed = file.nodes[static_cast<std::size_t>(best)].global * transformOf(mesh.mBones[i]->mOffsetMatrix);
+    }
+    if (best >= 0) return file.toMetres * placed;
+  }
+  return file.toMetres * file.nodes[static_cast<std::size_t>(node)].global;
+}
+
+}  // namespace
+
+Result<File> indexScene(const aiScene& scene, bool gltf) {
+  File file;
+  file.scene = &scene;
+  file.gltf = gltf;
+  if (scene.mRootNode == nullptr) return Error{"holds no scene"};
+  if (!gltf) file.toMetres = toMetres(scene);
+
+  // Depth first without recursion: chains of bones are long, and files may be hostile.
+  std::vector<std::pair<const aiNode*, int>> stack{{scene.mRootNode, -1}};
+  while (!stack.empty()) {
+    const auto [source, parent] = stack.back();
+    stack.pop_back();
+    if (file.nodes.size() >= kMostNodes) return Error{"has more than 4 million nodes"};
+    const int index = static_cast<int>(file.nodes.size());
+    Transform global = transformOf(source->mTransformation);
+    if (parent >= 0) global = file.nodes[static_cast<std::size_t>(parent)].global * global;
+    if (!isFinite(global)) {
+      return Error{std::string("node \"") + source->mName.C_Str() + "\" has a transform that is not a number"};
+    }
+    file.nodes.push_back({source, parent, global, -1});
+    file.nodeByName.emplace(source->mName.C_Str(), index);
+    for (unsigned i = source->mNumChildren; i-- > 0;) stack.emplace_back(source->mChildren[i], index);
+  }
+
+  bool armature = false;
+  for (std::size_t i = 0; i < file.nodes.size(); ++i) {
+    const aiNode& node = *file.nodes[i].source;
+    for (unsigned k = 0; k < node.mNumMeshes; ++k) {
+      if (node.mMeshes[k] >= scene.mNumMeshes) return Error{"a node names a mesh that is not there"};
+      const aiMesh* mesh = scene.mMeshes[node.mMeshes[k]];
+      if (!mesh->HasPositions() || !mesh->HasFaces()) continue;
+      armature = armature || mesh->HasBones();
+      file.instances.push_back({mesh, static_cast<int>(i), bindTransform(file, *mesh, static_cast<int>(i))});
+    }
+  }
+  if (file.instances.empty()) return Error{"has no mesh"};
+  if (!armature) return Error{"has no armature: its mesh is not bound to bones"};
+  return file;
+}
+
+}  // namespace windfall::model::assimp

@@ -1,0 +1,33 @@
+// Which bones become links; shared by branches and bodies.
+#pragma once
+
+#include <vector>
+
+#include "model/plant/bodies.h"
+
+namespace windfall::model {
+
+/// The bones that become links, as a forest of their own.
+struct LinkForest {
+  std::vector<char> link;                  ///< a bone: becomes a link
+  std::vector<int> parent;                 ///< a bone: nearest ancestor that becomes a link, or -1
+  std::vector<std::vector<int>> children;  ///< a bone: those whose `parent` it is
+  std::vector<int> next;                   ///< a bone: the child that continues its branch, or -1
+};
+
+/// Bones without weights or without length become no links; their children go to their parent (plant_meshing.md, 1).
+/// A branch goes on with the child of the longest way to a tip, if it starts near the bone's end (1.1, "longest").
+LinkForest linkForest(const std::vector<Bone>& bones);
+
+/// Sites for a plant whose mesh has no leaves: along the terminal branches (growers.md, 5.3), in bone frames.
+std::vector<sim::LeafSite> leafSitesOnTerminals(const std::vector<Bone>& bones, const std::vector<Branch>& branches,
+                                                double leafArea);
+
+/// One-sided area of all leaves, m2: 2000 pi R^2 of the trunks' bases (tree_dynamics.md, 2.4), at most a leaf area
+/// index of 6 over the crown's ground (growers.md, 5.2).
+double naturalLeafArea(const std::vector<Bone>& bones, const std::vector<Branch>& branches);
+
+/// Branches that carry no other branch.
+std::vector<char> terminalBranches(const std::vector<Branch>& branches);
+
+}  // namespace windfall::model
