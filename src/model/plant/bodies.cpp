@@ -89,14 +89,16 @@ std::vector<sim::LeafSite> thinned(const std::vector<sim::LeafSite>& sites, doub
   return result;
 }
 
-/// Shares the tree's leaf area over the links: as its mesh's leaves lie, else over the terminal branches by the square
-/// of their base radius, along each by length (tree_dynamics.md, 2.4).
+/// Shares the tree's leaf area over the links: where the mesh has leaves, by their size and by the section of the wood
+/// that feeds them; else over the terminal branches by the square of their base radius, along each by length
+/// (tree_dynamics.md, 2.4).
 void shareLeafArea(double area, const PlantGeometry& geometry, PlantBodies& bodies) {
   std::vector<double> share(bodies.tree.links.size(), 0);
   if (!geometry.leafSites.empty()) {
     for (const sim::LeafSite& site : geometry.leafSites) {
       const int link = bodies.carrierOfBone[at(site.link)];
-      if (link >= 0) share[at(link)] += static_cast<double>(site.size) * static_cast<double>(site.size);
+      if (link < 0) continue;
+      share[at(link)] += std::pow(static_cast<double>(site.size * bodies.tree.links[at(link)].radius), 2);
     }
   } else {
     const std::vector<char> terminal = terminalBranches(bodies.branches);
@@ -148,13 +150,17 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
     link.rotation = alongZ(bone.tail - bone.head);
     link.length = glm::length(bone.tail - bone.head);
     link.radius = bone.radius;
-    const auto edit = plant.edits.find(bone.name);
-    applyEdits(link, edit == plant.edits.end() ? LinkAttributes{} : edit->second);
     bodies.tree.links.push_back(link);
   }
 
   const double area = naturalLeafArea(bones, bodies.branches);
   shareLeafArea(area * plant.leafDensity, geometry, bodies);
+  // Before the artist's edits, so that softer wood bends more instead of growing thicker.
+  makeSelfSupporting(bodies.tree);
+  for (std::size_t i = 0; i < bodies.tree.links.size(); ++i) {
+    const auto edit = plant.edits.find(bones[at(bodies.boneOfLink[i])].name);
+    if (edit != plant.edits.end()) applyEdits(bodies.tree.links[i], edit->second);
+  }
   const std::vector<sim::LeafSite> natural =
       geometry.leafSites.empty() ? leafSitesOnTerminals(bones, bodies.branches, area) : geometry.leafSites;
   std::vector<sim::LeafSite> sites;

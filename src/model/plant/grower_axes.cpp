@@ -57,7 +57,7 @@ Axis growTrunk(const GrowerSettings& settings) {
   trunk.nodes.push_back(at);
   for (int i = 0; i < links; ++i) {
     // A random walk of the lean that is pulled back to the vertical: gentle bows, no corners.
-    lean = 0.8f * lean + 0.035f * vec3(static_cast<float>(random.normal()), 0, static_cast<float>(random.normal()));
+    lean = 0.82f * lean + 0.045f * vec3(static_cast<float>(random.normal()), 0, static_cast<float>(random.normal()));
     at += glm::normalize(vec3(0, 1, 0) + (i == 0 ? vec3(0) : lean)) * (height / static_cast<float>(links));
     trunk.nodes.push_back(at);
   }
@@ -90,7 +90,7 @@ void growLimbs(const GrowerSettings& settings, std::vector<Axis>& axes) {
     limb.name = numbered("limb", "", i);
     // A rounded crown: short at its base, widest at a quarter of it, closing towards the top.
     const float envelope = std::pow(1 - rise, 0.8f) * (0.62f + 0.38f * std::min(1.0f, rise / 0.22f));
-    const float length = height * (0.07f + 0.36f * envelope) * static_cast<float>(random.uniform(0.85, 1.12));
+    const float length = height * (0.09f + 0.40f * envelope) * static_cast<float>(random.uniform(0.85, 1.12));
     const float angle = static_cast<float>(settings.spread) * kPi / 180 * (1.18f - 0.55f * rise) *
                         static_cast<float>(random.uniform(0.9, 1.1));
     const float azimuth = kGoldenAngle * static_cast<float>(i) + static_cast<float>(random.uniform(-0.3, 0.3));
@@ -98,7 +98,7 @@ void growLimbs(const GrowerSettings& settings, std::vector<Axis>& axes) {
     const vec3 direction = divert(curveTangent(trunk, link, limb.parentShare), angle, azimuth);
     const int count = std::clamp(static_cast<int>(std::lround(length / 0.36f)), 3, 14);
     growLine(limb, curvePoint(trunk, link, limb.parentShare), direction, length, count,
-             {0.055f, 0.55f * (1 - 0.5f * rise), 0.22f * (1 - rise)}, random);
+             {0.085f, 0.62f * (1 - 0.6f * rise), 0.30f * (1 - rise)}, random);
     axes.push_back(std::move(limb));
   }
 }
@@ -114,7 +114,7 @@ void growTwigs(const GrowerSettings& settings, int order, std::vector<Axis>& axe
     const auto links = static_cast<float>(parent.nodes.size() - 1);
     float length = 0;
     for (std::size_t i = 1; i < parent.nodes.size(); ++i) length += glm::length(parent.nodes[i] - parent.nodes[i - 1]);
-    const float spacing = order == 2 ? 0.17f : 0.11f;
+    const float spacing = order == 2 ? 0.15f : 0.11f;
     const int count = std::max(2, static_cast<int>(length * 0.86f / spacing));
     for (int i = 0; i < count; ++i) {
       const float share = 0.14f + 0.84f * (static_cast<float>(i) + static_cast<float>(random.uniform(0.1, 0.9))) /
@@ -126,7 +126,7 @@ void growTwigs(const GrowerSettings& settings, int order, std::vector<Axis>& axe
       twig.parentShare = place - static_cast<float>(twig.parentLink);
       twig.order = order;
       twig.name = numbered(order == 2 ? "twig" : "spray", parent.name.substr(parent.name.find('.') + 1), i);
-      const float reach = std::clamp(0.16f + 0.42f * length * (1.05f - share), 0.12f, order == 2 ? 1.3f : 0.5f);
+      const float reach = std::clamp(0.22f + 0.50f * length * (1.08f - share), 0.15f, order == 2 ? 1.5f : 0.5f);
       const float grown = reach * static_cast<float>(random.uniform(0.7, 1.1));
       const float angle = static_cast<float>(random.uniform(0.6, 0.95));
       // Alternate sides of the level plane, with scatter; x of alongZ is level.

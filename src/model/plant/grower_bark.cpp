@@ -64,7 +64,7 @@ std::vector<Ring> ringsOf(const Axis& axis, const std::vector<Axis>& axes) {
     // The trunk goes on below the ground, so that no gap opens where it leans.
     Ring below;
     below.centre = axis.nodes[0] - vec3(0, 2 * r0, 0);
-    below.radius = r0 * 1.4f;
+    below.radius = r0 * 1.5f;
     below.along = -2 * r0;
     below.flare = 1;
     bind(below, axis, axes, 0, 0);
@@ -101,8 +101,8 @@ std::vector<Ring> ringsOf(const Axis& axis, const std::vector<Axis>& axes) {
       if (rings.size() == 1 && axis.parent < 0) along = 0;
       ring.along = along;
       if (axis.parent < 0) {
-        ring.flare = std::exp(-along / (1.5f * r0));
-        ring.radius *= 1 + 0.4f * ring.flare;
+        ring.flare = std::exp(-along / (2.0f * r0));
+        ring.radius *= 1 + 0.5f * ring.flare;
       } else {
         // A collar: the side branch widens towards the bark that it comes from, never beyond it.
         const float widened = ring.radius * (1 + 0.7f * std::exp(-along / (0.9f * collar)));

@@ -23,6 +23,28 @@ float noise(quint64 seed, float x, float y, int width, int height) {
   return (value(0, 0) * (1 - u) + value(1, 0) * u) * (1 - v) + (value(0, 1) * (1 - u) + value(1, 1) * u) * v;
 }
 
+/// Distance to the border between plates, in cells, of Worley's cellular noise (1996) that repeats.
+float plates(quint64 seed, float x, float y, int width, int height) {
+  const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y));
+  float nearest = 9, second = 9;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int ix = cx + dx, iy = cy + dy;
+      const auto wx = static_cast<std::uint32_t>((ix % width + width) % width);
+      const auto wy = static_cast<std::uint32_t>((iy % height + height) % height);
+      const float px = static_cast<float>(ix) + 0.15f + 0.7f * uniform(seed, wx, wy, 1);
+      const float py = static_cast<float>(iy) + 0.05f + 0.9f * uniform(seed, wx, wy, 2);
+      const float distance = std::hypot(px - x, py - y);
+      if (distance < nearest) {
+        second = nearest, nearest = distance;
+      } else {
+        second = std::min(second, distance);
+      }
+    }
+  }
+  return second - nearest;
+}
+
 }  // namespace
 
 QImage barkTexture(quint64 seed) {
@@ -32,20 +54,23 @@ QImage barkTexture(quint64 seed) {
     uchar* row = image.scanLine(y);
     for (int x = 0; x < kWidth; ++x) {
       const float u = static_cast<float>(x) / kWidth, v = static_cast<float>(y) / kHeight;
-      // Long ridges that wander sideways, split by fissures and cross-cracks, with lichen and fine grain on top.
-      const float bend = 0.055f * noise(seed, u * 3, v * 5, 3, 5) + 0.02f * noise(seed, u * 8, v * 14, 8, 14);
-      const float ridge = std::abs(noise(seed + 1, (u + bend) * 11, v * 5, 11, 5)) * 0.65f +
-                          std::abs(noise(seed + 2, (u + bend) * 23, v * 12, 23, 12)) * 0.35f;
-      const float fissure = std::clamp((ridge - 0.05f) / 0.22f, 0.0f, 1.0f);
-      const float crack = std::clamp(std::abs(noise(seed + 3, u * 9, (v + bend) * 30, 9, 30)) / 0.12f, 0.0f, 1.0f);
+      // Long plates with ragged borders, fine fissures inside them, lichen and grain on top.
+      const float bendX = 0.035f * noise(seed, u * 6, v * 10, 6, 10) + 0.012f * noise(seed + 7, u * 20, v * 32, 20, 32);
+      const float bendY = 0.03f * noise(seed + 8, u * 8, v * 12, 8, 12);
+      const float border = plates(seed + 1, (u + bendX) * 9, (v + bendY) * 6, 9, 6);
+      const float fine = plates(seed + 2, (u + bendX) * 22, (v + bendY) * 11, 22, 11);
+      const float plate = std::clamp((border - 0.04f) / 0.3f, 0.0f, 1.0f);
+      const float split = 0.55f + 0.45f * std::clamp(fine / 0.22f, 0.0f, 1.0f);
       const float grain =
-          noise(seed + 4, u * 64, v * 96, 64, 96) * 0.5f + noise(seed + 5, u * 128, v * 128, 128, 128) * 0.5f;
-      const float lichen = std::clamp(noise(seed + 6, u * 5, v * 9, 5, 9) * 1.6f - 0.35f, 0.0f, 1.0f);
-      const float height = fissure * (0.8f + 0.2f * crack) + 0.10f * grain;
-      const vec3 deep(48, 39, 32), raised(142, 126, 107), pale(150, 152, 128);
-      vec3 color = deep + (raised - deep) * std::clamp(height, 0.0f, 1.0f);
-      color += (pale - color) * (0.35f * lichen * fissure);
-      color *= 1 + 0.08f * grain;
+          0.6f * noise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) + 0.4f * noise(seed + 5, u * 128, v * 256, 128, 256);
+      const float tone = 0.5f + 0.5f * noise(seed + 9, u * 4, v * 6, 4, 6);
+      const float lichen = std::clamp(noise(seed + 6, u * 7, v * 13, 7, 13) * 1.6f - 0.5f, 0.0f, 1.0f);
+      const float height = std::clamp(plate * split + 0.07f * grain, 0.0f, 1.0f);
+      const vec3 deep(44, 37, 31), raised(126, 112, 96), light(148, 138, 124), pale(146, 152, 128);
+      const vec3 top = raised + (light - raised) * tone;
+      vec3 color = deep + (top - deep) * height;
+      color += (pale - color) * (0.4f * lichen * plate);
+      color *= 1 + 0.07f * grain;
       for (int k = 0; k < 3; ++k) row[4 * x + k] = static_cast<uchar>(std::clamp(color[k], 0.0f, 255.0f));
       row[4 * x + 3] = 255;
     }

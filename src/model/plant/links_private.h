@@ -27,6 +27,12 @@ std::vector<sim::LeafSite> leafSitesOnTerminals(const std::vector<Bone>& bones, 
 /// index of 6 over the crown's ground (growers.md, 5.2).
 double naturalLeafArea(const std::vector<Bone>& bones, const std::vector<Branch>& branches);
 
+/// Thickens links that could not stand: none is thinner than what it carries, and none carries more than an eighth of
+/// the load under which it would buckle (tree_dynamics.md, 2.7; McMahon 1973 found trees at a quarter of the critical
+/// height, far safer still). Meshes often narrow to a point where one spline ends and the next begins, and draw limbs
+/// of metres as wires; such necks would sway long before the trunk does. Takes the wood's properties as they are.
+void makeSelfSupporting(sim::Tree& tree);
+
 /// Branches that carry no other branch.
 std::vector<char> terminalBranches(const std::vector<Branch>& branches);
 
