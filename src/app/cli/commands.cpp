@@ -9,6 +9,8 @@ namespace windfall::app {
 namespace {
 constexpr DeclareCommand kCommands[] = {
     declareBench,
+    declarePlant,
+    declareSimulate,
 };
 }  // namespace
 

@@ -8,5 +8,7 @@ namespace windfall::app {
 void declareBench(CLI::App& app, Action& action);
 void declareCheck(CLI::App& app, Action& action);
 void declareNew(CLI::App& app, Action& action);
+void declarePlant(CLI::App& app, Action& action);
+void declareSimulate(CLI::App& app, Action& action);
 
 }  // namespace windfall::app

@@ -22,10 +22,17 @@ struct LoadedPlant {
 
 struct SceneAssembly {
   std::map<AssetId, LoadedPlant> plants;
-  std::vector<AssetId> trees;  ///< placements, in the order of sim.trees
+  std::vector<AssetId> trees;             ///< placements, in the order of sim.trees
   std::vector<LeafTexture> leafTextures;  ///< layers of the texture array; never empty (a plain drawn leaf stands in)
-  sim::SceneDescription sim;   ///< link i of tree t is bone `bodies->boneOfLink` of its geometry, scaled and placed
+  sim::SceneDescription sim;  ///< link i of tree t is bone `bodies->boneOfLink` of its geometry, scaled and placed
 };
+
+/// The scene without its pictures: what the simulation needs; `leafTextures` stays empty. Scale is folded into each
+/// tree. Errors name the plant.
+Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress);
+
+/// A tree `scale` times as large: lengths and radii, leaf areas by its square, leaves with it.
+sim::Tree scaled(sim::Tree tree, double scale);
 
 /// Loads every plant of the scene, textures its leaves from the kept variants, and describes the simulation.
 Result<SceneAssembly> assembleScene(const Project& project, Progress& progress);

@@ -15,8 +15,8 @@ struct TreePlacement {
   AssetId id;
   QString name;
   AssetId plant;
-  QVector3D position;   ///< m
-  double heading = 0;   ///< degrees about the vertical
+  QVector3D position;  ///< m
+  double heading = 0;  ///< degrees about the vertical
   double scale = 1;
   bool operator==(const TreePlacement&) const = default;
 };

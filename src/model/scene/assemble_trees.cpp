@@ -1,0 +1,81 @@
+#include <cmath>
+#include <set>
+
+#include "model/plant/import.h"
+#include "model/scene/assemble.h"
+#include "model/scene/layer_plan.h"
+
+namespace windfall::model {
+
+namespace {
+
+constexpr double kRadians = 3.14159265358979 / 180;
+
+Error about(const Plant& plant, const Error& error) {
+  return {"plant \"" + plant.name.toStdString() + "\": " + error.message, error.cancelled};
+}
+
+}  // namespace
+
+sim::Tree scaled(sim::Tree tree, double scale) {
+  const auto s = static_cast<float>(scale);
+  for (sim::Link& link : tree.links) {
+    link.joint *= s;
+    link.length *= s;
+    link.radius *= s;
+    link.leafArea *= s * s;
+  }
+  for (sim::LeafSite& site : tree.sites) {
+    site.position *= s;
+    site.size *= s;
+  }
+  return tree;
+}
+
+Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress) {
+  SceneAssembly assembly;
+  const LayerPlan plan = planLayers(project);
+  std::set<AssetId> placed;
+  for (const TreePlacement& tree : project.scene.trees) placed.insert(tree.plant);
+
+  double done = 0;
+  for (const Plant& plant : project.plants) {
+    if (!placed.contains(plant.id)) continue;
+    Progress own([&](double share) { progress.report((done + share) / static_cast<double>(placed.size())); });
+    Result<PlantGeometry> geometry = loadGeometry(plant, own);
+    if (!geometry) return about(plant, geometry.error());
+    if (progress.cancelled()) return Error{"cancelled", true};
+    const LayerRange range = plan.ofPlant.at(plant.id);
+    LoadedPlant loaded;
+    loaded.bodies = std::make_shared<PlantBodies>(buildBodies(*geometry, plant, range.first, range.count));
+    loaded.geometry = std::make_shared<PlantGeometry>(std::move(*geometry));
+    assembly.plants.emplace(plant.id, std::move(loaded));
+    done += 1;
+  }
+
+  for (const TreePlacement& tree : project.scene.trees) {
+    const auto plant = assembly.plants.find(tree.plant);
+    if (plant == assembly.plants.end()) {
+      return Error{"tree \"" + tree.name.toStdString() + "\" shows a plant that is not in the project"};
+    }
+    if (!(tree.scale > 1e-4 && tree.scale < 1e4)) {
+      return Error{"tree \"" + tree.name.toStdString() + "\" has a scale that makes no tree"};
+    }
+    sim::TreeInstance instance;
+    const std::shared_ptr<const PlantBodies>& bodies = plant->second.bodies;
+    instance.tree = tree.scale == 1 ? std::shared_ptr<const sim::Tree>(bodies, &bodies->tree)
+                                    : std::make_shared<sim::Tree>(scaled(bodies->tree, tree.scale));
+    instance.placement.position = {tree.position.x(), tree.position.y(), tree.position.z()};
+    instance.placement.heading = static_cast<float>(tree.heading * kRadians);
+    assembly.trees.push_back(tree.id);
+    assembly.sim.trees.push_back(std::move(instance));
+  }
+  assembly.sim.wind = project.scene.wind;
+  assembly.sim.leaves = project.scene.leaves;
+  assembly.sim.solver = project.scene.solver;
+  assembly.sim.leafLayers = static_cast<std::uint32_t>(plan.layers.size());
+  assembly.sim.seed = project.scene.seed;
+  return assembly;
+}
+
+}  // namespace windfall::model
