@@ -122,31 +122,28 @@ Status LeafPass::setContent(const SceneContent& content) {
   glTextureParameteri(maps.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(maps.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   Buffer layerBuffer = makeBuffer(static_cast<GLsizeiptr>(layers.size() * sizeof(vec4)), layers.data(), 0);
-  // Few leaves may be finely bent; a million are a crowd.
-  picture_ = content.leafCount <= 20'000    ? makeGrid(3, 5)
-             : content.leafCount <= 200'000 ? makeGrid(3, 3)
-                                            : makeGrid(2, 2);
-  shadow_ = content.leafCount <= 20'000 ? makeGrid(3, 2) : makeGrid(2, 2);
+  // Few leaves may be finely bent; a million are a crowd. Shadows need the same bends, or leaves shade themselves.
+  grid_ = content.leafCount <= 20'000 ? makeGrid(3, 5) : content.leafCount <= 200'000 ? makeGrid(3, 3) : makeGrid(2, 2);
   if (outOfMemory()) return Error{"not enough graphics memory for the leaf textures"};
   maps_ = std::move(maps);
   layers_ = std::move(layerBuffer);
   return ok();
 }
 
-int LeafPass::drawGrid(const Grid& grid, GLuint buffer, GLintptr offset, std::size_t count) const {
+int LeafPass::drawGrid(GLuint buffer, GLintptr offset, std::size_t count) const {
   if (count == 0 || !maps_) return 0;
-  glBindVertexArray(grid.array.id());
-  glVertexArrayVertexBuffer(grid.array.id(), 1, buffer, offset, sizeof(LeafInstance));
+  glBindVertexArray(grid_.array.id());
+  glVertexArrayVertexBuffer(grid_.array.id(), 1, buffer, offset, sizeof(LeafInstance));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
   glBindTextureUnit(3, maps_.id());
-  glDrawElementsInstanced(GL_TRIANGLES, grid.indexCount, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(count));
+  glDrawElementsInstanced(GL_TRIANGLES, grid_.indexCount, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(count));
   return 1;
 }
 
 int LeafPass::draw(GLuint buffer, GLintptr offset, std::size_t count, bool highQuality) const {
   glUseProgram((highQuality ? high_ : standard_).id());
   glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  const int calls = drawGrid(picture_, buffer, offset, count);
+  const int calls = drawGrid(buffer, offset, count);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   return calls;
 }
@@ -154,7 +151,7 @@ int LeafPass::draw(GLuint buffer, GLintptr offset, std::size_t count, bool highQ
 int LeafPass::drawShadow(GLuint buffer, GLintptr offset, std::size_t count, const mat4& lightMatrix) const {
   glUseProgram(shadowProgram_.id());
   glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
-  return drawGrid(shadow_, buffer, offset, count);
+  return drawGrid(buffer, offset, count);
 }
 
 }  // namespace windfall::render

@@ -25,9 +25,9 @@ class LeafPass {
     GLsizei indexCount = 0;
   };
   static Grid makeGrid(int columns, int rows);
-  int drawGrid(const Grid& grid, GLuint buffer, GLintptr offset, std::size_t count) const;
+  int drawGrid(GLuint buffer, GLintptr offset, std::size_t count) const;
 
-  Grid picture_, shadow_;
+  Grid grid_;
   Texture maps_;
   Buffer layers_;
   Program standard_, high_, shadowProgram_;
