@@ -21,9 +21,10 @@ struct LinkShape {
   float woodDrag = 0;             ///< drag of the wood over speed across times speed, N s2/m2
   float leafDrag = 0;             ///< the same of the leaves at low speed, N s2/m2
   float dragSlope = 0;            ///< c: dF/dv at the level of the mean wind, N s/m
-  float spare0 = 0, spare1 = 0;
+  mat3 restMatrix{1};             ///< q0 as a matrix: five such turns a step are cheaper so
+  float spare = 0;
 };
-static_assert(sizeof(LinkShape) == 96);
+static_assert(sizeof(LinkShape) == 128);
 
 /// What the load-time factorisation keeps of a link (6.2).
 struct LinkFactor {

@@ -13,6 +13,12 @@ namespace windfall {
 /// m/s at which leaves turn out of the wind (2.4).
 inline constexpr float kReconfigurationSpeed = 5.0f;
 
+WINDFALL_HD vec3 turn(const mat3& m, const vec3& v) { return m[0] * v.x + m[1] * v.y + m[2] * v.z; }
+WINDFALL_HD vec3 turnBack(const mat3& m, const vec3& v) {
+  return {m[0].x * v.x + m[0].y * v.y + m[0].z * v.z, m[1].x * v.x + m[1].y * v.y + m[1].z * v.z,
+          m[2].x * v.x + m[2].y * v.y + m[2].z * v.z};
+}
+
 /// Drag of wood and leaves in the air velocity u, N: F = C(u) u. The branch's own velocity stays out; its part is in
 /// the linear system (5.8).
 WINDFALL_HD vec3 linkDrag(const LinkShape& shape, const vec3& along, const vec3& u) {
@@ -53,7 +59,7 @@ WINDFALL_HD LinkLoad linkUp(const LinksView& links, const LinkStepParameters& st
   const vec4 parentRotation = root ? vec4(0, 0, 0, 1) : links.before[shape.parent].rotation;
   const vec3 parentPosition = root ? vec3(0) : links.before[shape.parent].position;
 
-  vec3 torque = rotateBack(shape.restRotation, rotateBack(parentRotation, load.torque)) - shape.preStress;
+  vec3 torque = turnBack(shape.restMatrix, rotateBack(parentRotation, load.torque)) - shape.preStress;
   const vec3 relative = torque / shape.stiffness;
   const float q = glm::dot(relative, relative) / (step.saturation * step.saturation);
   torque *= 1 / std::sqrt(std::sqrt(1 + q * q));
@@ -65,12 +71,12 @@ WINDFALL_HD LinkLoad linkUp(const LinksView& links, const LinkStepParameters& st
 
   LinkLoad out;
   const float* w = factor.transfer;
-  const vec3 biasForce = rotate(shape.restRotation, load.biasForce);
+  const vec3 biasForce = turn(shape.restMatrix, load.biasForce);
   out.biasForce = biasForce + vec3(w[9] * right.x + w[10] * right.y + w[11] * right.z,
                                    w[12] * right.x + w[13] * right.y + w[14] * right.z,
                                    w[15] * right.x + w[16] * right.y + w[17] * right.z);
   out.biasTorque =
-      rotate(shape.restRotation, load.biasTorque) + glm::cross(shape.restOffset, biasForce) +
+      turn(shape.restMatrix, load.biasTorque) + glm::cross(shape.restOffset, biasForce) +
       vec3(w[0] * right.x + w[1] * right.y + w[2] * right.z, w[3] * right.x + w[4] * right.y + w[5] * right.z,
            w[6] * right.x + w[7] * right.y + w[8] * right.z);
   out.force = load.force;
@@ -124,11 +130,11 @@ WINDFALL_HD void linkDown(const LinksView& links, const LinkStepParameters& step
     eta -= vec3(w[0] * a.x + w[3] * a.y + w[6] * a.z + w[9] * b.x + w[12] * b.y + w[15] * b.z,
                 w[1] * a.x + w[4] * a.y + w[7] * a.z + w[10] * b.x + w[13] * b.y + w[16] * b.z,
                 w[2] * a.x + w[5] * a.y + w[8] * a.z + w[11] * b.x + w[14] * b.y + w[17] * b.z);
-    angular = rotateBack(shape.restRotation, a);
-    linear = rotateBack(shape.restRotation, b + glm::cross(a, shape.restOffset));
+    angular = turnBack(shape.restMatrix, a);
+    linear = turnBack(shape.restMatrix, b + glm::cross(a, shape.restOffset));
     const LinkMotion& moved = links.motion[shape.parent];
-    turned = rotateBack(shape.restRotation, moved.angularVelocity);
-    carried = rotateBack(shape.restRotation, moved.velocity + glm::cross(moved.angularVelocity, shape.restOffset));
+    turned = turnBack(shape.restMatrix, moved.angularVelocity);
+    carried = turnBack(shape.restMatrix, moved.velocity + glm::cross(moved.angularVelocity, shape.restOffset));
   }
   links.load[i].biasTorque = angular + eta;
   links.load[i].biasForce = linear;

@@ -6,6 +6,10 @@
 #pragma nv_diagnostic push
 #pragma nv_diag_suppress 20012
 #define WINDFALL_HD __host__ __device__ __forceinline__
+#elif defined(__GNUC__) && defined(__OPTIMIZE__)
+// Inlined for certain: a loop's versions for other instruction sets (targets.h) end where a call begins.
+#define WINDFALL_HD inline __attribute__((always_inline))
+#define GLM_FORCE_INLINE
 #else
 #define WINDFALL_HD inline
 #endif

@@ -149,6 +149,7 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
       }
     }
     shape.restRotation = toFloat(turn);
+    shape.restMatrix = mat3(r);
     shape.restOffset = vec3(offset);
     shape.parent = root ? -1 : first + body.parent;
     shape.stiffness = vec3(body.stiffness);

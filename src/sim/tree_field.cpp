@@ -88,6 +88,9 @@ void TreeField::step(const WindView& wind) {
 void TreeField::sweep(const LinksView& links, const WindView& wind) {
   const LinkStepParameters parameters{static_cast<float>(settings_.h), static_cast<float>(settings_.implicitness)};
   const Partition& cut = partition_;
+  const auto orderOf = [&](const Treelet& part) {
+    return std::span<const std::uint32_t>(cut.order).subspan(part.begin, part.end - part.begin);
+  };
   const auto groups = static_cast<std::ptrdiff_t>(cut.groups.size()) - 1;
   const auto top = static_cast<std::ptrdiff_t>(cut.top.size());
 #pragma omp parallel num_threads(threads_) if (groups > 3)
@@ -103,7 +106,7 @@ void TreeField::sweep(const LinksView& links, const WindView& wind) {
       for (std::size_t t = cut.groups[group]; t < cut.groups[group + 1]; ++t) {
         const Treelet part = cut.treelets[t];
         linkForcesRange(links, wind, part.begin, part.end);
-        exports_[t] = linkUpRange(links, parameters, part.begin, part.end);
+        exports_[t] = linkUpRange(links, parameters, orderOf(part));
       }
     }
 #pragma omp single
@@ -112,16 +115,16 @@ void TreeField::sweep(const LinksView& links, const WindView& wind) {
       for (const Crossing& crossing : cut.crossings) {
         const std::int32_t parent = links.shape[crossing.link].parent;
         const LinkLoad load = crossing.treelet >= 0 ? exports_[static_cast<std::size_t>(crossing.treelet)]
-                                                    : linkUpRange(links, parameters, crossing.link, crossing.link + 1);
+                                                    : linkUpRange(links, parameters, {&crossing.link, 1});
         if (parent >= 0) addLoad(links.load[parent], load);
       }
-      for (const std::uint32_t link : cut.top) linkDownRange(links, parameters, link, link + 1);
+      linkDownRange(links, parameters, cut.top);
     }
 #pragma omp for schedule(static)
     for (std::ptrdiff_t g = 0; g < groups; ++g) {
       const auto group = static_cast<std::size_t>(g);
       for (std::size_t t = cut.groups[group]; t < cut.groups[group + 1]; ++t) {
-        linkDownRange(links, parameters, cut.treelets[t].begin, cut.treelets[t].end);
+        linkDownRange(links, parameters, orderOf(cut.treelets[t]));
       }
     }
   }

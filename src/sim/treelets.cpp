@@ -1,5 +1,8 @@
 #include "sim/treelets.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace windfall::sim {
 
 Partition partition(std::span<const std::int32_t> parents, std::uint32_t size) {
@@ -27,6 +30,17 @@ Partition partition(std::span<const std::int32_t> parents, std::uint32_t size) {
     i += below[i];
   }
   cut.groups.push_back(static_cast<std::uint32_t>(cut.treelets.size()));
+
+  std::vector<std::uint32_t> depth(count, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (parents[i] >= 0) depth[i] = depth[static_cast<std::size_t>(parents[i])] + 1;
+  }
+  cut.order.resize(count);
+  std::iota(cut.order.begin(), cut.order.end(), 0u);
+  for (const Treelet& part : cut.treelets) {
+    std::stable_sort(cut.order.begin() + part.begin, cut.order.begin() + part.end,
+                     [&](std::uint32_t a, std::uint32_t b) { return depth[a] < depth[b]; });
+  }
   for (std::size_t i = 0, j = cut.crossings.size(); i + 1 < j; ++i) std::swap(cut.crossings[i], cut.crossings[--j]);
   return cut;
 }

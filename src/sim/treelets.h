@@ -21,6 +21,9 @@ struct Crossing {
 /// The cut depends on the tree alone, never on the number of threads.
 struct Partition {
   std::vector<Treelet> treelets;
+  /// All links; those of a treelet at its begin..end, level by level from its root. Neighbours in this order do not
+  /// wait for each other's results, as a parent and its first child do.
+  std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> groups;  ///< group g is treelets groups[g] .. groups[g + 1]; about equal work
   std::vector<std::uint32_t> top;     ///< links above all treelets, parents first
   std::vector<Crossing> crossings;    ///< top links and treelet roots with a parent, highest index first
