@@ -108,7 +108,7 @@ void CpuEngine::step() {
   followWind();
   wind_.advance(time() + 0.5 * h);
   timers_.wind = watch.lap();
-  trees_.step(wind_.view());
+  moveTrees(trees_, wind_.view());
   timers_.trees = watch.lap();
   ++steps_;
   between_ = 1;

@@ -34,6 +34,10 @@ class CpuEngine : public Engine {
 
  protected:
   double stepLength() const override { return static_cast<double>(scene_.solver.step); }
+  /// One step of all links in the current wind.
+  virtual void moveTrees(TreeField& trees, const WindView& wind) { trees.step(wind); }
+  const TreeField& trees() const { return trees_; }
+  WindView windView() const { return wind_.view(); }
 
  private:
   FactorSettings factorSettings() const;

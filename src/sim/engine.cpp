@@ -6,6 +6,7 @@
 
 #include "sim/bodies.h"
 #include "sim/cpu_engine.h"
+#include "sim/cuda_engine.h"
 
 namespace windfall::sim {
 
@@ -38,12 +39,19 @@ std::string problemOf(const SceneDescription& scene) {
 
 std::vector<DeviceInfo> devices() {
   const int threads = omp_get_max_threads();
-  return {{Device::Cpu, "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")}};
+  std::vector<DeviceInfo> all{
+      {Device::Cpu, "CPU, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads")}};
+  if (const std::string name = cudaDeviceName(); !name.empty()) all.push_back({Device::Cuda, name});
+  return all;
 }
 
 Result<std::unique_ptr<Engine>> Engine::create(SceneDescription scene, Device device, int threads) {
-  if (std::string problem = problemOf(scene); !problem.empty()) return Error{std::move(problem)};
-  if (device == Device::Cuda) return Error{"no CUDA device: this program was built without CUDA"};
+  if (std::string wrong = problemOf(scene); !wrong.empty()) return Error{std::move(wrong)};
+  std::string problem;
+  if (device != Device::Cpu) {
+    if (std::unique_ptr<Engine> engine = makeCudaEngine(scene, threads, problem)) return engine;
+    if (device == Device::Cuda) return Error{"no CUDA device: " + problem};
+  }
   return std::unique_ptr<Engine>(std::make_unique<CpuEngine>(std::move(scene), threads));
 }
 

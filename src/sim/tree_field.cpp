@@ -35,6 +35,7 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
 }
 
 void TreeField::factoriseTree(std::size_t instance) {
+  ++revision_;
   const Tree& tree = *trees_[instance].tree;
   const std::size_t first = firstLinks_[instance], count = tree.links.size();
   const std::vector<LinkBody> bodies =
@@ -70,11 +71,13 @@ void TreeField::reset() {
 }
 
 void TreeField::pose() {
+  ++revision_;
   linkPoseRange(view(), 0, static_cast<std::uint32_t>(size()));
   before_ = after_;
 }
 
 void TreeField::setPoses(std::span<const LinkState> before, std::span<const LinkState> after) {
+  ++revision_;
   std::copy(before.begin(), before.end(), before_.begin());
   std::copy(after.begin(), after.end(), after_.begin());
 }
@@ -83,6 +86,12 @@ void TreeField::step(const WindView& wind) {
   if (motion_.empty()) return;
   before_.swap(after_);
   sweep(view(), wind);
+}
+
+void TreeField::takeStep(std::vector<LinkMotion>& motion, std::vector<LinkState>& now) {
+  motion_.swap(motion);
+  before_.swap(after_);
+  after_.swap(now);
 }
 
 void TreeField::sweep(const LinksView& links, const WindView& wind) {

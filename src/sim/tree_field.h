@@ -31,6 +31,13 @@ class TreeField {
   /// One step of settings().h in the given wind.
   void step(const WindView& wind);
 
+  /// One step that was made elsewhere from the current state: takes the new state over, gives the buffers of the old
+  /// one.
+  void takeStep(std::vector<LinkMotion>& motion, std::vector<LinkState>& now);
+  /// Counts changes of the constants, and changes of the state that were no step.
+  std::uint64_t revision() const { return revision_; }
+  const Partition& cut() const { return partition_; }
+
   std::size_t size() const { return motion_.size(); }
   std::span<const std::uint32_t> firstLinks() const { return firstLinks_; }  ///< of each tree
   const std::vector<TreeInstance>& trees() const { return trees_; }
@@ -65,6 +72,7 @@ class TreeField {
   std::vector<LinkLoad> loads_, exports_;
   std::vector<LinkState> before_, after_;
   std::vector<LinkInertia> inertia_;
+  std::uint64_t revision_ = 0;
   std::vector<double> frequencies_;  ///< of each tree as it was set, Hz
   std::vector<float> lostArea_;      ///< of each link's leaves, as factorised, m2
 };

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "kernels/cuda/link_solver.h"
+
 namespace windfall::sim {
 
 /// Links [begin, end): a whole subtree, its root first.
@@ -31,5 +33,8 @@ struct Partition {
 
 /// `parents` in preorder over the whole forest. A treelet has at most `size` links.
 Partition partition(std::span<const std::int32_t> parents, std::uint32_t size);
+
+/// The same cut for threads that work in groups (kernels/link_treelet.h).
+cuda::Forest forestOf(const Partition& cut, std::span<const std::int32_t> parents);
 
 }  // namespace windfall::sim
