@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/leaf_instance.h"
+#include "kernels/leaf_range.h"
 #include "kernels/link_state.h"
 #include "kernels/wind.h"
 #include "sim/result.h"
@@ -48,12 +49,14 @@ class LeafField {
   double fallTimeSum() const;
 
   /// Adds to `area` (m2, one value a link) what each link lost since the last call; a leaf stands for an equal share of
-  /// its link's leafArea, and one that grows again gives its share back. False: nothing changed.
+  /// its link's leafArea, and one that grows again (or comes back by reset() or restore()) gives its share back.
+  /// False: nothing changed.
   bool takeReleasedArea(std::span<float> area);
 
   /// All leaves back to where they started, generation 0.
   void reset();
-  /// Season, mass and respawning change in place; another count or spawn height starts the leaves anew (returns true).
+  /// Season, mass and respawning change in place; another count or spawn height starts the leaves anew, on
+  /// trees that have all their leafArea (returns true).
   bool setSettings(const LeafSettings& settings);
 
   /// The whole state as bytes, and back; restore() refuses bytes of another scene or version and then changes nothing.
@@ -67,6 +70,7 @@ class LeafField {
 
  private:
   std::unique_ptr<LeafStorage> storage_;
+  LeafRange step_;  ///< for this machine's instruction set
 };
 
 }  // namespace windfall::sim
