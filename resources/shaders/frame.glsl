@@ -12,6 +12,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 wind;             // m/s, number of canopies
   vec4 viewport;         // size, its inverse
   vec4 accent;           // of highlighted links, linear; its strength
+  vec4 grass;            // height of the grass in m (0: none), number of cells along a ring's side
   vec4 canopies[32];     // two for each: centre and 1, radii (xz, y, height of the lowest leaves)
 };
 layout(binding = 0) uniform sampler2D noiseMap;

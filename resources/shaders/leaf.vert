@@ -10,7 +10,9 @@ layout(location = 6) out vec4 air;
 
 void main() {
   LeafPoint point = leafPoint();
-  worldPosition = point.position;
+  // Leaves lie on the grass, not under it.
+  float lift = grass.x * 0.75 * (1.0 - smoothstep(0.0, 0.25, point.position.y));
+  worldPosition = point.position + vec3(0.0, lift, 0.0);
   worldNormal = point.normal;
   layerUv = vec3(point.uv, float(layerAndState.x));
   tint = curlAndTint.y;

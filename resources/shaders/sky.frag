@@ -23,7 +23,7 @@ void main() {
     float density = smoothstep(0.50, 0.80, body) * smoothstep(0.0, 0.16, direction.y);
     // Thin rims scatter the sun forwards, thick middles keep it.
     float forwards = pow(max(mu, 0.0), 5.0);
-    vec3 lit = sunColor.rgb * (0.075 + 0.12 * forwards) * (1.0 - 0.35 * density) + ambient[0].rgb * 0.9;
+    vec3 lit = sunColor.rgb * (0.095 + 0.12 * forwards) * (1.0 - 0.35 * density) + ambient[0].rgb * 0.9;
     light = mix(light, lit, density * 0.85);
   }
 

@@ -14,13 +14,16 @@ layout(binding = 3) uniform sampler2D picture;
 layout(location = 0) uniform vec4 baseColor;
 layout(location = 1) uniform vec4 look;  // roughness, has a picture, 0, height of the bark's relief in m
 
-// Bark from noise, stretched along the trunk, laid on from two sides: x is height, y lightness.
+// Bark from noise, stretched along the trunk, laid on from the sides and from above: x is height, y lightness.
 vec2 barkRelief(vec3 rest, vec3 normal) {
   vec2 sideways = abs(normal.xz);
   float share = smoothstep(0.35, 0.65, sideways.x / (sideways.x + sideways.y + 1e-4));
   vec4 a = texture(noiseMap, vec2(rest.x * 3.6, rest.y * 0.75));
   vec4 b = texture(noiseMap, vec2(rest.z * 3.6 + 0.4, rest.y * 0.75 + 0.2));
   vec4 both = mix(a, b, share);
+  // Upper and lower sides of limbs would show the sideways pictures drawn out.
+  float level = smoothstep(0.5, 0.85, abs(normal.y));
+  if (level > 0.0) both = mix(both, texture(noiseMap, rest.xz * vec2(2.4, 2.4) + 0.7), level);
   return vec2(both.b * 0.65 + both.g * 0.35, both.r);
 }
 
@@ -39,7 +42,9 @@ void main() {
 #else
   vec2 bark = look.y > 0.5 ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   vec3 smoothNormal = normal;
-  normal = bumped(normal, worldPosition, bark.x * look.w);
+  // Nearer than the noise is fine, its texels would show as facets.
+  float pixel = length(dFdx(worldPosition)) + length(dFdy(worldPosition));
+  normal = bumped(normal, worldPosition, bark.x * look.w * smoothstep(0.0004, 0.004, pixel));
   albedo *= look.y > 0.5 ? 1.0 : mix(0.28, 1.5, bark.x * bark.x) * mix(0.75, 1.2, bark.y);
   vec3 light = woodLight(albedo, around, worldPosition, normal, smoothNormal, view, look.x);
 #endif

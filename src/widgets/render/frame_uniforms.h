@@ -16,10 +16,10 @@ struct FrameUniforms {
   mat4 viewProjection, shadowMatrix;
   vec4 eye, toSun, sunColor;
   std::array<vec4, 4> ambient;
-  vec4 forward, right, up, wind, viewport, accent;
+  vec4 forward, right, up, wind, viewport, accent, grass;
   std::array<vec4, 2 * kCanopies> canopies;
 };
-static_assert(sizeof(FrameUniforms) == 2 * 64 + 16 * (3 + 4 + 6 + 2 * FrameUniforms::kCanopies));
+static_assert(sizeof(FrameUniforms) == 2 * 64 + 16 * (3 + 4 + 7 + 2 * FrameUniforms::kCanopies));
 
 /// A tree's crown as an ellipsoid that keeps sky light from what is in and under it.
 struct Canopy {

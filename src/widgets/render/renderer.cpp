@@ -22,6 +22,8 @@ namespace windfall::render {
 
 namespace {
 const vec3 kGroundAlbedo(0.13f, 0.10f, 0.035f);
+constexpr float kGrassHeight = 0.055f;                              // m
+constexpr int kGrassRings = 3, kGrassCells = 80, kGrassBlades = 5;  // as in grass.vert
 }  // namespace
 
 struct Renderer::Impl {
@@ -31,7 +33,7 @@ struct Renderer::Impl {
   PictureTarget target;
   ShadowMap shadow;
   SceneExtent extent;
-  Program sky, ground[2], present;
+  Program sky, ground[2], grass, present;
   Texture noise, skyTable;
   Buffer uniforms, highlights;
   VertexArray empty;
@@ -50,6 +52,9 @@ struct Renderer::Impl {
   void drawPicture(const View& view);
   void drawPresent(const View& view, unsigned framebuffer);
   int shadowSize(Quality quality) const;
+  bool drawsGrass(Quality quality) const {
+    return quality == Quality::High || (quality == Quality::Standard && !software);
+  }
   void bindFrame() const;
 };
 
@@ -65,6 +70,7 @@ Status Renderer::Impl::compile() {
        {link(sky, "sky.vert", "sky.frag", "STANDARD_QUALITY"),
         link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
         link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
+        link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
         link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), leaves.compile()}) {
     if (!status) return status;
   }
@@ -145,6 +151,11 @@ void Renderer::Impl::drawPicture(const View& view) {
     counts.calls += counts.leafCalls;
   }
   glBindVertexArray(empty.id());
+  if (drawsGrass(view.quality)) {
+    glUseProgram(grass.id());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * kGrassBlades, kGrassRings * kGrassCells * kGrassCells);
+    ++counts.calls;
+  }
   glUseProgram(ground[high ? 1 : 0].id());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glUseProgram(sky.id());
@@ -220,6 +231,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   lit.toSun = impl.skySun;
   FrameUniforms uniforms = frameUniforms(lit, impl.skyLight, fit);
   setCanopies(uniforms, impl.extent.canopies());
+  if (impl.drawsGrass(view.quality)) uniforms.grass = vec4(kGrassHeight, kGrassCells, 0, 0);
   glNamedBufferSubData(impl.uniforms.id(), 0, sizeof uniforms, &uniforms);
 
   // Whatever was drawn before in this context may have left anything on.
