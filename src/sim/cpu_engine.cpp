@@ -64,6 +64,21 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+constexpr std::int64_t kLeafInterval = 30;  // steps between looks at what has fallen
+constexpr double kLeafShare = 0.02;         // of all leaves, before masses and drags follow (9)
+
+/// OpenMP's number of threads for parallel regions of the caller, put back at the end.
+class ThreadScope {
+ public:
+  explicit ThreadScope(int threads) : before_(omp_get_max_threads()) { omp_set_num_threads(threads); }
+  ~ThreadScope() { omp_set_num_threads(before_); }
+  ThreadScope(const ThreadScope&) = delete;
+  ThreadScope& operator=(const ThreadScope&) = delete;
+
+ private:
+  int before_;
+};
+
 vec4 plain(const quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 }  // namespace
@@ -72,12 +87,15 @@ CpuEngine::CpuEngine(SceneDescription scene, int threads)
     : scene_(std::move(scene)),
       threads_(threads > 0 ? threads : omp_get_max_threads()),
       wind_(makeWind(scene_, threads_)),
-      trees_(scene_.trees, settingsOf(scene_, wind_, 0), threads_) {
+      trees_(scene_.trees, settingsOf(scene_, wind_, 0), threads_),
+      leaves_(scene_),
+      lostArea_(trees_.size(), 0.f) {
   float highest = -1e30f;
   for (const TreeInstance& instance : scene_.trees) {
     for (const Link& link : instance.tree->links) {
       restRotations_.push_back(inverse(plain(link.rotation)));
       restPositions_.push_back(link.joint);
+      leafArea_ += static_cast<double>(link.leafArea);
       const std::size_t index = restPositions_.size() - 1;
       const LinkState& state = trees_.current()[index];
       const vec3 tip = placeOf(state, vec3(0, 0, link.length));
@@ -101,16 +119,32 @@ void CpuEngine::followWind() {
   if (wanted.windSpeed != used.windSpeed || wanted.windDirection != used.windDirection) trees_.factorise(wanted);
 }
 
+LinkView CpuEngine::linkView() const {
+  return {trees_.previous().data(), trees_.current().data(), static_cast<std::uint32_t>(trees_.size())};
+}
+
+void CpuEngine::followLeaves() {
+  if (steps_ % kLeafInterval != 0 || !leaves_.takeReleasedArea(lostArea_)) return;
+  double change = 0;
+  for (std::size_t i = 0; i < lostArea_.size(); ++i) {
+    change += static_cast<double>(std::abs(lostArea_[i] - trees_.lostArea()[i]));
+  }
+  if (change > kLeafShare * leafArea_) trees_.setLostArea(lostArea_);
+}
+
 void CpuEngine::step() {
   Stopwatch watch;
   const double h = stepLength();
-  omp_set_num_threads(threads_);
+  const ThreadScope scope(threads_);
   followWind();
   wind_.advance(time() + 0.5 * h);
   timers_.wind = watch.lap();
   moveTrees(trees_, wind_.view());
   timers_.trees = watch.lap();
+  leaves_.step(time(), static_cast<float>(h), linkView(), wind_.view());
   ++steps_;
+  followLeaves();
+  timers_.leaves = watch.lap();
   between_ = 1;
 }
 
@@ -119,6 +153,8 @@ void CpuEngine::reset() {
   accumulator_ = 0;
   between_ = 1;
   wind_.restore({});
+  leaves_.reset();
+  forgetLeaves();
   trees_.reset();
   followWind();
   wind_.advance(0);
@@ -130,7 +166,17 @@ void CpuEngine::setWind(const WindSettings& wind) {
   scene_.wind = wind;
 }
 
-void CpuEngine::setLeaves(const LeafSettings& leaves) { scene_.leaves = leaves; }
+void CpuEngine::setLeaves(const LeafSettings& leaves) {
+  if (leaves == scene_.leaves) return;
+  scene_.leaves = leaves;
+  if (leaves_.setSettings(leaves)) forgetLeaves();
+}
+
+void CpuEngine::forgetLeaves() {
+  std::fill(lostArea_.begin(), lostArea_.end(), 0.f);
+  const std::span<const float> known = trees_.lostArea();
+  if (std::any_of(known.begin(), known.end(), [](float area) { return area != 0; })) trees_.setLostArea(lostArea_);
+}
 
 void CpuEngine::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) {
   if (instance >= scene_.trees.size() || !tree || tree->links.size() != scene_.trees[instance].tree->links.size())
@@ -140,9 +186,9 @@ void CpuEngine::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) 
   trees_.setTree(instance, std::move(tree));
 }
 
-std::size_t CpuEngine::leafCount() const { return 0; }
+std::size_t CpuEngine::leafCount() const { return leaves_.size(); }
 
-void CpuEngine::write(std::span<mat4> boneMatrices, std::span<LeafInstance>) {
+void CpuEngine::write(std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) {
   Stopwatch watch;
   const float f = static_cast<float>(between_);
   const std::span<const LinkState> before = trees_.previous(), after = trees_.current();
@@ -161,6 +207,7 @@ void CpuEngine::write(std::span<mat4> boneMatrices, std::span<LeafInstance>) {
     bone[3] = vec4(position - rotate(turn, restPositions_[i]), 1);
     boneMatrices[i] = bone;
   }
+  if (leaves.size() == leaves_.size()) leaves_.write(f, linkView(), leaves);
   timers_.output = watch.lap();
 }
 
@@ -175,6 +222,12 @@ Statistics CpuEngine::statistics() const {
   s.largestAngle = trees_.largestAngle();
   s.kineticEnergy = trees_.kineticEnergy();
   s.elasticEnergy = trees_.elasticEnergy();
+  const LeafCounts counts = leaves_.counts();
+  s.attached = counts.attached;
+  s.airborne = counts.airborne;
+  s.grounded = counts.grounded;
+  s.fallTimeSum = leaves_.fallTimeSum();
+  s.landed = leaves_.landed();
   return s;
 }
 
@@ -184,7 +237,9 @@ DeviceInfo CpuEngine::device() const {
 
 std::uint64_t CpuEngine::hash() const {
   std::uint64_t h = hashBytes(trees_.motion().data(), trees_.motion().size_bytes());
-  return hashBytes(trees_.current().data(), trees_.current().size_bytes(), h);
+  h = hashBytes(trees_.current().data(), trees_.current().size_bytes(), h);
+  const std::uint64_t leaves = leaves_.hash();
+  return hashBytes(&leaves, sizeof leaves, h);
 }
 
 namespace {
@@ -219,6 +274,9 @@ std::vector<std::uint8_t> CpuEngine::save() const {
   body.values(trees_.motion());
   body.values(trees_.previous());
   body.values(trees_.current());
+  body.values(std::span<const float>(lostArea_));
+  body.values(trees_.lostArea());
+  body.values(std::span<const std::uint8_t>(leaves_.save()));
   const std::vector<std::uint8_t> content = body.take();
   ByteWriter file;
   file.value(kMagic);
@@ -250,17 +308,24 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   WindAnchor anchor;
   std::vector<LinkMotion> motion(trees_.size());
   std::vector<LinkState> before(trees_.size()), after(trees_.size());
+  std::vector<float> lost(trees_.size()), known(trees_.size());
+  std::span<const std::uint8_t> leaves;
   const bool whole = body.value(steps) && body.value(accumulator) && body.value(anchor) &&
-                     body.values(std::span(motion)) && body.values(std::span(before)) && body.values(std::span(after));
+                     body.values(std::span(motion)) && body.values(std::span(before)) &&
+                     body.values(std::span(after)) && body.values(std::span(lost)) && body.values(std::span(known)) &&
+                     body.block(leaves);
   const double numbers[] = {accumulator,     anchor.time,   anchor.drift[0], anchor.drift[1],
                             anchor.drift[2], anchor.fronts, anchor.turnover};
   const bool sane = whole && steps >= 0 && steps < (std::int64_t{1} << 40) && accumulator >= 0 &&
                     accumulator <= stepLength() &&
                     std::all_of(std::begin(numbers), std::end(numbers), [](double v) { return std::abs(v) < 1e12; }) &&
+                    allFinite(lost.data(), lost.size()) && allFinite(known.data(), known.size()) &&
                     allFinite(motion.data(), motion.size() * sizeof(LinkMotion) / sizeof(float)) &&
                     allFinite(before.data(), before.size() * sizeof(LinkState) / sizeof(float)) &&
                     allFinite(after.data(), after.size() * sizeof(LinkState) / sizeof(float));
   if (!sane || !body.atEnd()) return Error{"the state of the simulation is damaged"};
+
+  if (Status status = leaves_.restore(leaves); !status) return status.error();
 
   steps_ = steps;
   accumulator_ = accumulator;
@@ -268,6 +333,8 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   wind_.restore(anchor);
   std::copy(motion.begin(), motion.end(), trees_.motion().begin());
   trees_.setPoses(before, after);
+  lostArea_ = lost;
+  if (!std::equal(known.begin(), known.end(), trees_.lostArea().begin())) trees_.setLostArea(known);
   followWind();
   wind_.advance(std::max(0.0, time() - 0.5 * stepLength()));
   return ok();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/engine.h"
+#include "sim/leaf_field.h"
 #include "sim/tree_field.h"
 #include "sim/wind.h"
 
@@ -42,12 +43,18 @@ class CpuEngine : public Engine {
  private:
   FactorSettings factorSettings() const;
   void followWind();
+  void followLeaves();
+  void forgetLeaves();
+  LinkView linkView() const;
   std::uint64_t fingerprint() const;
 
   SceneDescription scene_;
   int threads_;
   WindField wind_;
   TreeField trees_;
+  LeafField leaves_;
+  std::vector<float> lostArea_;      ///< of each link's leaves by now, m2; the trees know it with a delay
+  double leafArea_ = 0;              ///< of all links, m2
   std::vector<vec4> restRotations_;  ///< inverse rest pose of each link: tree space
   std::vector<vec3> restPositions_;
   std::int64_t steps_ = 0;

@@ -23,6 +23,7 @@ class TreeField {
   /// Takes over new settings, fallen leaves (m2 a link) or trees of the same links; the motion goes on.
   void factorise(const FactorSettings& settings);
   void setLostArea(std::span<const float> area);
+  std::span<const float> lostArea() const { return lostArea_; }
   void setTree(std::size_t instance, std::shared_ptr<const Tree> tree);
   const FactorSettings& settings() const { return settings_; }
   double frequency(std::size_t instance) const { return frequencies_[instance]; }  ///< first frequency, Hz

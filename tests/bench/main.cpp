@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "peers.h"
 #include "sim/bench.h"
 
 int main(int count, char** arguments) {
@@ -24,8 +25,15 @@ int main(int count, char** arguments) {
     }
   }
   std::vector<windfall::sim::BenchmarkResult> results;
-  for (const windfall::sim::Benchmark& benchmark : windfall::sim::simBenchmarks()) {
+  for (windfall::sim::Benchmark& benchmark : windfall::sim::simBenchmarks()) {
     if (benchmark.name.find(filter) == std::string::npos) continue;
+    if (benchmark.name == "trees") {
+      benchmark.prepare = [ours = benchmark.prepare] {
+        std::vector<windfall::sim::Contender> all = ours();
+        for (windfall::sim::Contender& peer : bulletContenders()) all.push_back(std::move(peer));
+        return all;
+      };
+    }
     results.push_back(runBenchmark(benchmark, rounds));
     std::printf("%s\n", benchmarkTable(results.back()).c_str());
     std::fflush(stdout);
