@@ -27,14 +27,22 @@ struct LabelField {
   int count = 0;
 };
 
+/// What colours are read and placed by: where a pixel lies in its leaf.
+struct LeafStructure {
+  ScalarField distance;      ///< structural distance, 0..1 (99.5 percentile), 0 outside
+  ScalarField veinDistance;  ///< distance to the nearest vein over twice its 95th percentile
+  LabelField regions;
+  LabelField superpixels;
+};
+
 // GCC 12 takes the scoped Stage::Veins for a shadow of the type of that name.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants };
 #pragma GCC diagnostic pop
 
-/// What was derived from a leaf. Working images have the long side `parameters.synthesis.size` at most; contour, root,
-/// tip and veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).
+/// What was derived from a leaf. Working images have the long side `parameters.synthesis.size`; contour, root, tip and
+/// veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).
 struct LeafStages {
   QImage photo;  ///< RGBA8888, EXIF rotation applied, photo size
   QImage mask;   ///< Grayscale8, photo size
@@ -43,11 +51,11 @@ struct LeafStages {
   std::vector<QPointF> contour;  ///< simplified by RDP
   QPointF root, tip;
   Veins veins;
-  ScalarField distance;          ///< structural distance, 0..1 (99.5 percentile), 0 outside
-  ScalarField veinDistance;      ///< distance to the nearest vein over twice its 95th percentile
+  std::vector<QPointF> petiole;  ///< from its free end to the root; empty where there is none
+  QImage alpha;                  ///< Grayscale8, working size: the mask with a soft margin
   std::vector<QPointF> markers;  ///< in photo pixels, those that were used
-  LabelField regions;
-  LabelField superpixels;
+  LeafStructure grown;           ///< by the veins of this asset: the shape of new textures
+  LeafStructure seen;            ///< by the veins that the photo shows: where colours come from (Stage::Superpixels)
   Stage reached = Stage::Photo;
   std::map<QString, double> seconds;  ///< wall clock of each stage by name
 };

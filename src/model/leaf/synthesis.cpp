@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "kernels/random.h"
+#include "model/leaf/detail.h"
+#include "model/leaf/dilate.h"
+#include "model/leaf/image_cv_private.h"
+#include "model/leaf/region_match.h"
+#include "model/leaf/smoothing.h"
+#include "model/leaf/stages.h"
+#include "model/leaf/superpixels.h"
+
+namespace windfall::model {
+
+namespace {
+
+/// The photo in working size as Lab, three floats a pixel. Colours at the margin come from a little inside the leaf, so
+/// that nothing of the ground shines through.
+std::vector<float> workingColours(const LeafStages& stages) {
+  const QSize size = stages.grown.distance.size;
+  QImage photo = stages.photo;
+  const int margin = std::max(2, std::max(photo.width(), photo.height()) / 340);
+  cv::Mat1b solid;
+  cv::erode(grayView(stages.mask), solid,
+            cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}), {-1, -1}, 1,
+            cv::BORDER_CONSTANT, 0);
+  if (cv::countNonZero(solid) == 0) solid = grayView(stages.mask).clone();
+  cv::Mat4b pixels = rgbaView(photo).clone();
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) pixels(y, x)[3] = solid(y, x);
+  }
+  const cv::Mat4b spread = rgbaView(spreadColours(toRgba(pixels))).clone();
+  cv::Mat4b sized;
+  const bool smaller = size.width() < photo.width();
+  cv::resize(spread, sized, {size.width(), size.height()}, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_CUBIC);
+  const cv::Mat3f lab = toLab(toRgba(sized));
+  return {reinterpret_cast<const float*>(lab.datastart), reinterpret_cast<const float*>(lab.dataend)};
+}
+
+/// A colour a superpixel, painted and smoothed.
+std::vector<float> smoothLayer(const LeafStructure& structure, const std::vector<SuperpixelMean>& colours, double w1) {
+  const size_t pixels = structure.superpixels.values.size();
+  std::vector<float> layer(3 * pixels, 0.f);
+  std::vector<unsigned char> mask(pixels, 0);
+  for (size_t i = 0; i < pixels; ++i) {
+    const qint32 label = structure.superpixels.values[i];
+    if (label <= 0) continue;
+    mask[i] = 1;
+    for (size_t c = 0; c < 3; ++c) layer[3 * i + c] = colours[static_cast<size_t>(label - 1)].lab[c];
+  }
+  // The kernel reaches sqrt(w1) pixels: the same look at another resolution needs its square.
+  const double unit = std::max(structure.distance.size.width(), structure.distance.size.height()) / 512.0;
+  const double weight = w1 * unit * unit;
+  smooth(layer, mask, structure.distance.size, weight, sweepsFor(weight));
+  return layer;
+}
+
+/// For each superpixel of the target one of the example's: of the nearest in structural and vein distance within the
+/// matched region, drawn by chance (leaf_textures.md, 7).
+std::vector<SuperpixelMean> chooseSuperpixels(const std::vector<SuperpixelMean>& target,
+                                              const std::vector<SuperpixelMean>& example, const std::vector<int>& match,
+                                              int candidates, RandomSequence& random) {
+  std::vector<std::vector<int>> members(1);
+  for (size_t k = 0; k < example.size(); ++k) {
+    const auto region = static_cast<size_t>(std::max(0, example[k].region));
+    if (region >= members.size()) members.resize(region + 1);
+    members[region].push_back(static_cast<int>(k));
+  }
+  std::vector<int> everyone(example.size());
+  for (size_t k = 0; k < everyone.size(); ++k) everyone[k] = static_cast<int>(k);
+  std::vector<SuperpixelMean> chosen = target;
+  std::vector<std::pair<float, int>> nearest;
+  for (SuperpixelMean& mean : chosen) {
+    const auto region = static_cast<size_t>(mean.region > 0 && mean.region <= static_cast<int>(match.size())
+                                                ? match[static_cast<size_t>(mean.region - 1)]
+                                                : 0);
+    const std::vector<int>& pool =
+        region > 0 && region < members.size() && !members[region].empty() ? members[region] : everyone;
+    nearest.clear();
+    for (const int k : pool) {
+      const SuperpixelMean& other = example[static_cast<size_t>(k)];
+      const float ds = mean.distance - other.distance, dg = mean.veinDistance - other.veinDistance;
+      nearest.emplace_back(ds * ds + dg * dg, k);
+    }
+    const auto count = std::min<size_t>(static_cast<size_t>(std::max(1, candidates)), nearest.size());
+    std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
+    const SuperpixelMean& source =
+        example[static_cast<size_t>(nearest[random.below(static_cast<std::uint32_t>(count))].second)];
+    std::copy(std::begin(source.lab), std::end(source.lab), std::begin(mean.lab));
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, const SynthesisParameters& parameters,
+                          quint64 seed, Progress& progress) {
+  if (target.reached < Stage::Superpixels || example.reached < Stage::Superpixels) {
+    return Error{"a texture needs the superpixels of both leaves"};
+  }
+  const Error cancelled{"cancelled", true};
+  RandomSequence random(seed, 211);
+  const std::vector<float> colours = workingColours(example);
+  const std::vector<SuperpixelMean> exampleMeans = describeSuperpixels(example.seen, colours.data());
+  const std::vector<SuperpixelMean> targetMeans = describeSuperpixels(target.grown, nullptr);
+  if (exampleMeans.empty() || targetMeans.empty()) return Error{"the leaf has no superpixels"};
+  const std::vector<int> match = matchRegions(target.grown, example.seen, random);
+  progress.report(0.15);
+  if (progress.cancelled()) return cancelled;
+
+  std::vector<float> result =
+      smoothLayer(target.grown, chooseSuperpixels(targetMeans, exampleMeans, match, parameters.candidates, random),
+                  parameters.smoothing);
+  progress.report(0.35);
+  if (progress.cancelled()) return cancelled;
+
+  // What the example has beyond its own smooth layer is its detail.
+  std::vector<float> detail = smoothLayer(example.seen, exampleMeans, parameters.smoothing);
+  for (size_t i = 0; i < detail.size(); ++i) {
+    detail[i] = example.seen.superpixels.values[i / 3] > 0 ? colours[i] - detail[i] : 0;
+  }
+  progress.report(0.5);
+  const std::vector<float> fine = layDetail(target.grown, {&example.seen, &detail}, random, progress);
+  if (progress.cancelled()) return cancelled;
+  for (size_t i = 0; i < result.size(); ++i) result[i] += fine[i];
+
+  const QSize size = target.grown.distance.size;
+  const cv::Mat3f lab(size.height(), size.width(), reinterpret_cast<cv::Vec3f*>(result.data()));
+  const QImage opaque = fromLab(lab, cv::Mat1b(size.height(), size.width(), static_cast<uchar>(255)));
+  cv::Mat4b pixels = rgbaView(opaque).clone();
+  const cv::Mat1b alpha = grayView(target.alpha);
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      const bool leaf =
+          target.grown.regions
+              .values[static_cast<size_t>(y) * static_cast<size_t>(pixels.cols) + static_cast<size_t>(x)] > 0;
+      pixels(y, x)[3] = leaf ? 255 : 0;
+    }
+  }
+  pixels = rgbaView(spreadColours(toRgba(pixels))).clone();
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) pixels(y, x)[3] = alpha(y, x);
+  }
+  progress.report(1);
+  return toRgba(pixels);
+}
+
+}  // namespace windfall::model
