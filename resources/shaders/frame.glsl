@@ -82,7 +82,7 @@ float sunVisibility(vec3 position, vec3 normal, float softness) {
 vec4 airBefore(vec3 position) {
   vec3 ray = position - eye.xyz;
   float distance = length(ray);
-  float share = 1.0 - exp(-distance * 0.0011 - distance * distance * 1.0e-6);
+  float share = 1.0 - exp(-distance * 0.0008 - distance * distance * 1.2e-6);
   vec3 direction = ray / max(distance, 1e-3);
   return vec4(skyRadiance(vec3(direction.x, 0.02, direction.z)), share);
 }
