@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
 #include "model/plant/bodies.h"
 #include "model/plant/import.h"
 
@@ -38,7 +39,7 @@ int plantInfo(const QString& path) {
   if (!source) return fail(path, source.error());
   model::Plant plant;
   plant.file = std::move(*source);
-  model::Progress progress;
+  InterruptProgress progress;
   const Result<model::PlantGeometry> geometry = model::loadGeometry(plant, progress);
   if (!geometry) return fail(path, geometry.error());
   const model::PlantInfo info = model::describe(*geometry, model::buildBodies(*geometry, plant));

@@ -1,12 +1,11 @@
 #include <unistd.h>
 
 #include <QFileInfo>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
 #include "model/document/durable_file.h"
 #include "model/document/project_file.h"
 #include "model/plant/import.h"
@@ -26,9 +25,6 @@ struct SimulateOptions {
   int threads = 0;
   bool hash = false;
 };
-
-std::atomic<bool> interrupted{false};
-void interrupt(int) { interrupted = true; }
 
 /// A project as it is, or a plant file alone on open ground.
 Result<model::Project> openScene(const QString& path, model::Progress& progress) {
@@ -129,7 +125,7 @@ int run(const SimulateOptions& options) {
   if (!tracePath.isEmpty() && !QFileInfo(QFileInfo(tracePath).absolutePath()).isDir()) {
     return fail(tracePath, QStringLiteral("its folder does not exist"));
   }
-  model::Progress progress;
+  InterruptProgress progress;
   Result<model::Project> project = openScene(path, progress);
   if (!project) return fail(path, project.error());
   apply(options, project->scene);
@@ -142,14 +138,12 @@ int run(const SimulateOptions& options) {
   if (!created) return fail(path, created.error());
   sim::Engine& engine = **created;
 
-  interrupted = false;
-  std::signal(SIGINT, interrupt);
   const auto steps = static_cast<long long>(std::ceil(options.seconds / assembly->sim.solver.step - 1e-6));
   const bool terminal = isatty(STDERR_FILENO) != 0;
   Trace trace(!tracePath.isEmpty());
   bool sound = trace.add(engine.statistics());
   for (long long i = 0; i < steps && sound; ++i) {
-    if (interrupted) return fail(path, Error{"cancelled", true});
+    if (progress.cancelled()) return fail(path, Error{"cancelled", true});
     engine.step();
     sound = trace.add(engine.statistics());
     if (terminal && (i % 64 == 0 || i + 1 == steps)) {

@@ -30,7 +30,7 @@ qint64 size(const QJsonValue& value, qint64 otherwise) {
 
 class Checker {
  public:
-  Checker(const QJsonObject& root, qint64 binaryChunk) : root_(root), chunk_(binaryChunk) {}
+  Checker(const QJsonObject& root, const QByteArray& binaryChunk) : root_(root), chunk_(binaryChunk) {}
 
   Status run() {
     if (!root_["asset"].toObject()["version"].toString().startsWith('2')) return Error{"is not glTF 2.0"};
@@ -41,7 +41,7 @@ class Checker {
       }
     }
     for (const auto step : {&Checker::buffers, &Checker::views, &Checker::accessors, &Checker::nodes, &Checker::skins,
-                            &Checker::meshes}) {
+                            &Checker::meshes, &Checker::joints}) {
       if (Status status = (this->*step)(); !status) return status;
     }
     return ok();
@@ -56,31 +56,31 @@ class Checker {
 
   Status buffers() {
     for (const QJsonValue& value : list("buffers")) {
-      const auto i = static_cast<qsizetype>(bufferSizes_.size());
+      const auto i = static_cast<qsizetype>(buffers_.size());
       const QString uri = value["uri"].toString();
       const qint64 bytes = size(value["byteLength"], -1);
-      qint64 there = i == 0 ? chunk_ : -1;
+      QByteArray data = i == 0 ? chunk_ : QByteArray();
       if (uri.startsWith("data:")) {
-        there = (uri.size() - uri.indexOf(',') - 1) / 4 * 3 + 3;
+        data = QByteArray::fromBase64(uri.mid(uri.indexOf(',') + 1).toLatin1());
       } else if (!uri.isEmpty()) {
         return Error{"buffer \"" + text(uri) +
                      "\" is outside the file; save the plant as .glb or with embedded buffers"};
       }
-      if (bytes < 0 || bytes > there) return wrong("buffer", i, "is shorter than it says: the file is cut off");
-      bufferSizes_.push_back(bytes);
+      if (bytes < 0 || bytes > data.size()) return wrong("buffer", i, "is shorter than it says: the file is cut off");
+      buffers_.push_back(data.left(bytes));
     }
     return ok();
   }
 
   Status views() {
     for (const QJsonValue& value : list("bufferViews")) {
-      const auto i = static_cast<qsizetype>(viewSizes_.size());
-      const qint64 buffer = index(value["buffer"], static_cast<qint64>(bufferSizes_.size()));
+      const auto i = static_cast<qsizetype>(viewData_.size());
+      const qint64 buffer = index(value["buffer"], static_cast<qint64>(buffers_.size()));
       const qint64 offset = size(value["byteOffset"], 0), bytes = size(value["byteLength"], -1);
-      if (buffer < 0 || offset < 0 || bytes < 0 || offset + bytes > bufferSizes_[static_cast<std::size_t>(buffer)]) {
+      if (buffer < 0 || offset < 0 || bytes < 0 || offset + bytes > buffers_[static_cast<std::size_t>(buffer)].size()) {
         return wrong("buffer view", i, "reaches outside its buffer");
       }
-      viewSizes_.push_back(bytes);
+      viewData_.push_back(buffers_[static_cast<std::size_t>(buffer)].mid(offset, bytes));
       viewStrides_.push_back(size(value["byteStride"], 0));
     }
     return ok();
@@ -109,15 +109,12 @@ class Checker {
       const qint64 count = size(value["count"], -1), element = elementSize(value);
       if (count < 1 || element == 0) return wrong("accessor", i, "has no sound type and count");
       accessorCounts_.push_back(count);
-      if (value["bufferView"].isUndefined()) {
-        if (count > 50'000'000) return wrong("accessor", i, "has an absurd count");
-        continue;
-      }
-      const qint64 view = index(value["bufferView"], static_cast<qint64>(viewSizes_.size()));
+      if (value["bufferView"].isUndefined()) return wrong("accessor", i, "has no data");
+      const qint64 view = index(value["bufferView"], static_cast<qint64>(viewData_.size()));
       const qint64 offset = size(value["byteOffset"], 0);
       if (view < 0 || offset < 0) return wrong("accessor", i, "names a buffer view that is not there");
       const qint64 stride = std::max(viewStrides_[static_cast<std::size_t>(view)], element);
-      const qint64 room = viewSizes_[static_cast<std::size_t>(view)] - offset - element;
+      const qint64 room = viewData_[static_cast<std::size_t>(view)].size() - offset - element;
       if (room < 0 || count - 1 > room / stride) return wrong("accessor", i, "reaches outside its buffer view");
     }
     return ok();
@@ -155,6 +152,28 @@ class Checker {
     return ok();
   }
 
+  /// Largest number in an accessor of unsigned whole numbers that has been checked; -1 for other accessors.
+  qint64 largest(const QJsonValue& value) const {
+    const QJsonObject accessor = list("accessors")[value.toInt()].toObject();
+    const qint64 element = elementSize(accessor);
+    const int component = accessor["componentType"].toInt();
+    const int bytes = component == 5121 ? 1 : component == 5123 ? 2 : component == 5125 ? 4 : 0;
+    if (bytes == 0) return -1;
+    const auto view = static_cast<std::size_t>(accessor["bufferView"].toInt());
+    const qint64 stride = std::max(viewStrides_[view], element), count = accessor["count"].toInteger();
+    const char* at = viewData_[view].constData() + accessor["byteOffset"].toInteger();
+    qint64 result = 0;
+    for (qint64 i = 0; i < count; ++i, at += stride) {
+      for (qint64 k = 0; k < element; k += bytes) {
+        const qint64 number = bytes == 1   ? static_cast<uchar>(at[k])
+                              : bytes == 2 ? qint64{qFromLittleEndian<quint16>(at + k)}
+                                           : qint64{qFromLittleEndian<quint32>(at + k)};
+        result = std::max(result, number);
+      }
+    }
+    return result;
+  }
+
   bool accessor(const QJsonValue& value, qint64 least = 0) const {
     const qint64 i = index(value, static_cast<qint64>(accessorCounts_.size()));
     return i >= 0 && accessorCounts_[static_cast<std::size_t>(i)] >= least;
@@ -168,9 +187,8 @@ class Checker {
         if (index(joint, nodeCount_) < 0) return wrong("skin", i, "names a joint that is not there");
       }
       const QJsonValue matrices = skins[i]["inverseBindMatrices"];
-      if (!matrices.isUndefined() && !accessor(matrices, joints.size())) {
-        return wrong("skin", i, "has fewer bind matrices than joints");
-      }
+      // Assimp does not know that they may be left out.
+      if (!accessor(matrices, joints.size())) return wrong("skin", i, "has fewer bind matrices than joints");
     }
     for (const QJsonValue& node : list("nodes")) {
       const QJsonValue skin = node["skin"], mesh = node["mesh"];
@@ -193,7 +211,11 @@ class Checker {
           if (!accessor(attribute, vertices)) return wrong("mesh", i, "has fewer attributes than vertices");
         }
         const QJsonValue indices = primitive["indices"];
-        if (!indices.isUndefined() && !accessor(indices)) return wrong("mesh", i, "names indices that are not there");
+        if (!indices.isUndefined()) {
+          if (!accessor(indices)) return wrong("mesh", i, "names indices that are not there");
+          const qint64 most = largest(indices);
+          if (most < 0 || most >= vertices) return wrong("mesh", i, "has a triangle outside its vertices");
+        }
         const QJsonValue material = primitive["material"];
         if (!material.isUndefined() && index(material, list("materials").size()) < 0) {
           return wrong("mesh", i, "names a material that is not there");
@@ -203,9 +225,29 @@ class Checker {
     return ok();
   }
 
+  /// Joints that vertices name must be in the skin that their mesh is shown with.
+  Status joints() {
+    const QJsonArray meshes = list("meshes"), skins = list("skins");
+    for (const QJsonValue& node : list("nodes")) {
+      if (node["skin"].isUndefined() || node["mesh"].isUndefined()) continue;
+      const int mesh = node["mesh"].toInt();
+      const qint64 count = skins[node["skin"].toInt()].toObject()["joints"].toArray().size();
+      for (const QJsonValue& primitive : meshes[mesh].toObject()["primitives"].toArray()) {
+        const QJsonObject attributes = primitive["attributes"].toObject();
+        for (auto attribute = attributes.begin(); attribute != attributes.end(); ++attribute) {
+          if (attribute.key().startsWith("JOINTS_") && largest(attribute.value()) >= count) {
+            return wrong("mesh", mesh, "names a joint that its skin does not have");
+          }
+        }
+      }
+    }
+    return ok();
+  }
+
   const QJsonObject root_;
-  const qint64 chunk_;
-  std::vector<qint64> bufferSizes_, viewSizes_, viewStrides_, accessorCounts_;
+  const QByteArray chunk_;
+  std::vector<QByteArray> buffers_, viewData_;
+  std::vector<qint64> viewStrides_, accessorCounts_;
   qsizetype nodeCount_ = 0;
 };
 
@@ -213,7 +255,7 @@ class Checker {
 
 Status checkGltf(const QByteArray& bytes, bool binary) {
   QByteArray json = bytes;
-  qint64 chunk = -1;
+  QByteArray chunk;
   if (binary) {
     const auto word = [&](qsizetype at) { return qint64{qFromLittleEndian<quint32>(bytes.constData() + at)}; };
     if (bytes.size() < 20 || !bytes.startsWith("glTF")) return Error{"is not a .glb file"};
@@ -224,8 +266,8 @@ Status checkGltf(const QByteArray& bytes, bool binary) {
     json = bytes.mid(20, length);
     const qint64 next = 20 + (length + 3) / 4 * 4;
     if (next + 8 <= bytes.size()) {
-      chunk = word(next);
-      if (next + 8 + chunk > bytes.size()) return Error{"is cut off"};
+      if (next + 8 + word(next) > bytes.size()) return Error{"is cut off"};
+      chunk = bytes.mid(next + 8, word(next));
     }
   }
   QJsonParseError problem;

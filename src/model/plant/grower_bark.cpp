@@ -143,7 +143,9 @@ void addTube(const std::vector<Ring>& rings, int sides, PlantGeometry& geometry)
     const float run = std::max(after.along - before.along, 1e-6f);
     const float slope = std::clamp((before.radius - after.radius) / run, -1.0f, 1.0f);
     for (std::uint32_t k = 0; k < across; ++k) {
-      const float share = static_cast<float>(k) / static_cast<float>(sides), angle = 2 * kPi * share;
+      const float share = static_cast<float>(k) / static_cast<float>(sides);
+      // The seam closes to the bit.
+      const float angle = k + 1 == across ? 0 : 2 * kPi * share;
       const vec3 out = ring.normal * std::cos(angle) + binormal * std::sin(angle);
       // Five roots spread at the foot.
       const float lobes = 1 + 0.13f * ring.flare * std::cos(5 * angle + 0.7f);

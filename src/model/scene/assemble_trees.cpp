@@ -2,6 +2,7 @@
 #include <set>
 
 #include "model/plant/import.h"
+#include "model/progress_part.h"
 #include "model/scene/assemble.h"
 #include "model/scene/layer_plan.h"
 
@@ -41,7 +42,8 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress) 
   double done = 0;
   for (const Plant& plant : project.plants) {
     if (!placed.contains(plant.id)) continue;
-    Progress own([&](double share) { progress.report((done + share) / static_cast<double>(placed.size())); });
+    const auto all = static_cast<double>(placed.size());
+    ProgressPart own(progress, done / all, (done + 1) / all);
     Result<PlantGeometry> geometry = loadGeometry(plant, own);
     if (!geometry) return about(plant, geometry.error());
     if (progress.cancelled()) return Error{"cancelled", true};
