@@ -138,7 +138,9 @@ int run(const SimulateOptions& options) {
   if (!created) return fail(path, created.error());
   sim::Engine& engine = **created;
 
-  const auto steps = static_cast<long long>(std::ceil(options.seconds / assembly->sim.solver.step - 1e-6));
+  // The step is single precision: 2 s are 100 steps of 0.02 s, not 101.
+  const auto steps =
+      static_cast<long long>(std::ceil(options.seconds / static_cast<double>(assembly->sim.solver.step) * (1 - 1e-6)));
   const bool terminal = isatty(STDERR_FILENO) != 0;
   Trace trace(!tracePath.isEmpty());
   bool sound = trace.add(engine.statistics());

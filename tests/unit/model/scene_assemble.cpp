@@ -1,0 +1,136 @@
+// A project becomes what the simulation needs.
+#include "model/scene/assemble.h"
+
+#include <QtTest>
+
+#include "model/scene/layer_plan.h"
+#include "support/gltf_fixture.h"
+#include "support/suite.h"
+
+using namespace windfall;
+using namespace windfall::model;
+
+namespace {
+
+Project projectWithTwoTrees() {
+  Project project;
+  Plant plant;
+  plant.id = {1};
+  plant.name = "hand-made";
+  plant.file = {"p.glb", test::GltfFixture().glb()};
+  project.plants.push_back(plant);
+  TreePlacement tree;
+  tree.id = {2};
+  tree.plant = {1};
+  project.scene.trees.push_back(tree);
+  tree.id = {3};
+  tree.scale = 3;
+  tree.heading = 90;
+  tree.position = {5, 0, -2};
+  project.scene.trees.push_back(tree);
+  project.scene.wind.speed = 7;
+  project.scene.seed = 42;
+  project.nextId = 4;
+  return project;
+}
+
+Variant variant(bool keep) {
+  Variant result;
+  result.keep = keep;
+  result.image = QImage(4, 4, QImage::Format_RGBA8888);
+  return result;
+}
+
+}  // namespace
+
+class SceneAssembleTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void treesOfOnePlantShareIt();
+  void scaleIsFoldedIntoTheTree();
+  void settingsGoToTheSimulation();
+  void brokenScenesNameWhatIsWrong();
+  void layersFollowTheKeptVariants();
+};
+
+void SceneAssembleTest::treesOfOnePlantShareIt() {
+  Progress progress;
+  const auto assembly = assembleTrees(projectWithTwoTrees(), progress);
+  QVERIFY2(assembly, assembly ? "" : assembly.error().message.c_str());
+  QCOMPARE(assembly->plants.size(), std::size_t(1));
+  QCOMPARE(assembly->trees, (std::vector<AssetId>{{2}, {3}}));
+  QCOMPARE(assembly->sim.trees.size(), std::size_t(2));
+  QCOMPARE(assembly->sim.trees[0].tree.get(), &assembly->plants.at({1}).bodies->tree);
+}
+
+void SceneAssembleTest::scaleIsFoldedIntoTheTree() {
+  Progress progress;
+  const auto assembly = assembleTrees(projectWithTwoTrees(), progress);
+  QVERIFY(assembly);
+  const sim::Tree &one = *assembly->sim.trees[0].tree, &three = *assembly->sim.trees[1].tree;
+  for (std::size_t i = 0; i < one.links.size(); ++i) {
+    QVERIFY(glm::length(three.links[i].joint - 3.f * one.links[i].joint) < 1e-5f);
+    QCOMPARE(three.links[i].length, 3 * one.links[i].length);
+    QCOMPARE(three.links[i].radius, 3 * one.links[i].radius);
+    QCOMPARE(three.links[i].leafArea, 9 * one.links[i].leafArea);
+  }
+  QCOMPARE(three.sites.at(0).size, 3 * one.sites.at(0).size);
+  QVERIFY(std::abs(sim::totalMass(three) / sim::totalMass(one) - 27) < 20);
+  QCOMPARE(assembly->sim.trees[1].placement.position.x, 5.f);
+  QVERIFY(std::abs(assembly->sim.trees[1].placement.heading - 1.5707963f) < 1e-6f);
+}
+
+void SceneAssembleTest::settingsGoToTheSimulation() {
+  Progress progress;
+  const auto assembly = assembleTrees(projectWithTwoTrees(), progress);
+  QVERIFY(assembly);
+  QCOMPARE(assembly->sim.wind.speed, 7.f);
+  QCOMPARE(assembly->sim.seed, std::uint64_t(42));
+  QCOMPARE(assembly->sim.leafLayers, 1u);
+  Progress again;
+  QVERIFY(sim::Engine::create(assembly->sim, sim::Device::Cpu, 1));
+}
+
+void SceneAssembleTest::brokenScenesNameWhatIsWrong() {
+  Progress progress;
+  Project gone = projectWithTwoTrees();
+  gone.scene.trees[1].plant = {9};
+  gone.scene.trees[1].name = "lost";
+  const auto lost = assembleTrees(gone, progress);
+  QVERIFY(!lost && QString::fromStdString(lost.error().message).contains("lost"));
+  Project damaged = projectWithTwoTrees();
+  damaged.plants[0].file.bytes.truncate(100);
+  const auto bad = assembleTrees(damaged, progress);
+  QVERIFY(!bad && QString::fromStdString(bad.error().message).contains("hand-made"));
+  Project flat = projectWithTwoTrees();
+  flat.scene.trees[0].scale = 0;
+  QVERIFY(!assembleTrees(flat, progress));
+}
+
+void SceneAssembleTest::layersFollowTheKeptVariants() {
+  Project project = projectWithTwoTrees();
+  Leaf oak, birch;
+  oak.id = {10};
+  oak.variants = {variant(true), variant(false), variant(true)};
+  birch.id = {11};
+  birch.variants = {variant(true)};
+  project.leaves = {oak, birch};
+  Plant bare = project.plants[0], mixed = bare, same = bare;
+  bare.id = {20};
+  mixed.id = {21};
+  mixed.leaves = {{10}, {11}};
+  same.id = {22};
+  same.leaves = mixed.leaves;
+  project.plants = {bare, mixed, same};
+  const LayerPlan plan = planLayers(project);
+  // The stand-in, two of the oak, one of the birch; plants with the same leaves share theirs.
+  QCOMPARE(plan.layers, (std::vector<LayerSource>{{}, {{10}, 0}, {{10}, 2}, {{11}, 0}}));
+  QCOMPARE(plan.ofPlant.at({20}).first, 0);
+  QCOMPARE(plan.ofPlant.at({21}).first, 1);
+  QCOMPARE(plan.ofPlant.at({21}).count, 3);
+  QCOMPARE(plan.ofPlant.at({22}).first, 1);
+  QCOMPARE(planLayers(Project{}).layers.size(), std::size_t(1));
+}
+
+WINDFALL_SUITE(SceneAssembleTest)
+#include "scene_assemble.moc"
