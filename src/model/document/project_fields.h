@@ -27,6 +27,7 @@ void fields(Io& io, typename Io::template Ref<DistanceCosts> costs) {
 template <class Io>
 void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
   io.number("size", synthesis.size, 16, 8192);
+  io.flag("guided", synthesis.guided);
   io.number("superpixels", synthesis.superpixels, 1, 1e6);
   io.number("candidates", synthesis.candidates, 1, 10'000);
   io.number("smoothing", synthesis.smoothing, 0, 1e6);

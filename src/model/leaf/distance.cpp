@@ -20,10 +20,12 @@ T quantile(std::vector<T> values, double share) {
 }  // namespace
 
 std::vector<std::int32_t> structuralDistance(const std::vector<Tissue>& types, QSize size, QPoint source,
-                                             const DistanceCosts& costs) {
+                                             const DistanceCosts& wanted) {
+  const auto limited = [](int cost) { return std::clamp(cost, 1, 1000); };
+  const DistanceCosts costs{limited(wanted.veinVein), limited(wanted.veinTissue), limited(wanted.tissueTissue)};
   const int width = size.width(), height = size.height();
   std::vector<std::int32_t> distance(types.size(), -1);
-  const int highest = 14 * std::max({costs.veinVein, costs.veinTissue, costs.tissueTissue, 1});
+  const int highest = 14 * std::max({costs.veinVein, costs.veinTissue, costs.tissueTissue});
   std::vector<std::vector<std::int32_t>> ring(static_cast<size_t>(highest) + 1);
   const std::int32_t start = source.y() * width + source.x();
   if (source.x() < 0 || source.y() < 0 || source.x() >= width || source.y() >= height) return distance;

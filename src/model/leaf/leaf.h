@@ -29,8 +29,10 @@ struct DistanceCosts {
   bool operator==(const DistanceCosts&) const = default;
 };
 
-/// Classic synthesis: superpixels matched by region and distance, then smoothed (leaf_textures.md, 6 to 8).
+/// How new textures are made: guided by patches that lie along the veins (leaf_textures.md, 9b), or classic:
+/// superpixels matched by region and distance, smoothed, with a layer of detail (6 to 9a).
 struct SynthesisParameters {
+  bool guided = true;
   int size = 1024;         ///< long side of the result, px
   int superpixels = 4096;  ///< wanted on the blade
   int candidates = 8;      ///< N: nearest in structural and vein distance, one is drawn

@@ -1,3 +1,4 @@
+#include <QLineF>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -6,11 +7,13 @@
 #include "kernels/random.h"
 #include "model/leaf/detail.h"
 #include "model/leaf/dilate.h"
+#include "model/leaf/guided.h"
 #include "model/leaf/image_cv_private.h"
 #include "model/leaf/region_match.h"
 #include "model/leaf/smoothing.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/superpixels.h"
+#include "model/leaf/vein_frame.h"
 
 namespace windfall::model {
 
@@ -93,6 +96,45 @@ std::vector<SuperpixelMean> chooseSuperpixels(const std::vector<SuperpixelMean>&
   return chosen;
 }
 
+/// Superpixels, smoothed, and the example's detail on top; Lab, three floats a pixel.
+std::vector<float> classicColours(const LeafStages& target, const LeafStages& example,
+                                  const std::vector<float>& colours, const std::vector<int>& match,
+                                  const SynthesisParameters& parameters, RandomSequence& random, Progress& progress) {
+  const std::vector<SuperpixelMean> exampleMeans = describeSuperpixels(example.seen, colours.data());
+  const std::vector<SuperpixelMean> targetMeans = describeSuperpixels(target.grown, nullptr);
+  if (exampleMeans.empty() || targetMeans.empty()) return {};
+  std::vector<float> result =
+      smoothLayer(target.grown, chooseSuperpixels(targetMeans, exampleMeans, match, parameters.candidates, random),
+                  parameters.smoothing);
+  progress.report(0.35);
+  if (progress.cancelled()) return {};
+  // What the example has beyond its own smooth layer is its detail.
+  std::vector<float> detail = smoothLayer(example.seen, exampleMeans, parameters.smoothing);
+  for (size_t i = 0; i < detail.size(); ++i) {
+    detail[i] = example.seen.superpixels.values[i / 3] > 0 ? colours[i] - detail[i] : 0;
+  }
+  progress.report(0.5);
+  const std::vector<float> fine = layDetail(target.grown, {&example.seen, &detail}, random, progress);
+  for (size_t i = 0; i < result.size(); ++i) result[i] += fine[i];
+  return result;
+}
+
+/// Patches of the example, coarse to fine; the coarsest leaf is about 128 pixels long.
+std::vector<float> guidedColours(const LeafStages& target, const LeafStages& example, const std::vector<float>& colours,
+                                 const std::vector<int>& match, quint64 seed, Progress& progress) {
+  const VeinFrame targetFrame = findVeinFrame(target.grown, target.root * target.scale, target.tip * target.scale);
+  const VeinFrame exampleFrame = findVeinFrame(example.seen, example.root * example.scale, example.tip * example.scale);
+  const double length = QLineF(target.root, target.tip).length() * target.scale;
+  const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
+  std::vector<GuidedLevel> pyramid;
+  for (int n = levels - 1; n >= 0; --n) {
+    const double factor = std::exp2(n);
+    pyramid.push_back({makePatchImage(target.grown, targetFrame, nullptr, factor),
+                       makePatchImage(example.seen, exampleFrame, colours.data(), factor)});
+  }
+  return synthesizeGuided(std::move(pyramid), match, seed, progress);
+}
+
 }  // namespace
 
 Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, const SynthesisParameters& parameters,
@@ -103,28 +145,14 @@ Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, c
   const Error cancelled{"cancelled", true};
   RandomSequence random(seed, 211);
   const std::vector<float> colours = workingColours(example);
-  const std::vector<SuperpixelMean> exampleMeans = describeSuperpixels(example.seen, colours.data());
-  const std::vector<SuperpixelMean> targetMeans = describeSuperpixels(target.grown, nullptr);
-  if (exampleMeans.empty() || targetMeans.empty()) return Error{"the leaf has no superpixels"};
   const std::vector<int> match = matchRegions(target.grown, example.seen, random);
-  progress.report(0.15);
+  progress.report(0.1);
   if (progress.cancelled()) return cancelled;
-
-  std::vector<float> result =
-      smoothLayer(target.grown, chooseSuperpixels(targetMeans, exampleMeans, match, parameters.candidates, random),
-                  parameters.smoothing);
-  progress.report(0.35);
+  std::vector<float> result = parameters.guided
+                                  ? guidedColours(target, example, colours, match, seed, progress)
+                                  : classicColours(target, example, colours, match, parameters, random, progress);
   if (progress.cancelled()) return cancelled;
-
-  // What the example has beyond its own smooth layer is its detail.
-  std::vector<float> detail = smoothLayer(example.seen, exampleMeans, parameters.smoothing);
-  for (size_t i = 0; i < detail.size(); ++i) {
-    detail[i] = example.seen.superpixels.values[i / 3] > 0 ? colours[i] - detail[i] : 0;
-  }
-  progress.report(0.5);
-  const std::vector<float> fine = layDetail(target.grown, {&example.seen, &detail}, random, progress);
-  if (progress.cancelled()) return cancelled;
-  for (size_t i = 0; i < result.size(); ++i) result[i] += fine[i];
+  if (result.empty()) return Error{"the leaf is too small for a texture"};
 
   const QSize size = target.grown.distance.size;
   const cv::Mat3f lab(size.height(), size.width(), reinterpret_cast<cv::Vec3f*>(result.data()));

@@ -1,0 +1,361 @@
+#include "model/leaf/guided.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "kernels/random.h"
+
+namespace windfall::model {
+
+namespace {
+
+constexpr int kRadius = 2, kPatch = 25, kAngles = 64, kBands = 16;
+constexpr float kGuideWeight = 1000.f * kPatch;
+constexpr float kFar = 1e30f;
+
+struct Match {
+  std::int16_t x = -1, y = -1;
+  float cost = kFar;
+};
+
+/// Offsets in the example's padded picture of a patch that is turned, or mirrored and turned; by row of the patch.
+class Offsets {
+ public:
+  explicit Offsets(int stride) {
+    for (int mirrored = 0; mirrored < 2; ++mirrored) {
+      for (int angle = 0; angle < kAngles; ++angle) {
+        const double turn = 2 * std::numbers::pi * angle / kAngles, c = std::cos(turn), s = std::sin(turn);
+        for (int k = 0; k < kPatch; ++k) {
+          const double dx = k % 5 - kRadius, dy = (k / 5 - kRadius) * (mirrored ? -1 : 1);
+          const int x = static_cast<int>(std::lround(c * dx - s * dy)),
+                    y = static_cast<int>(std::lround(s * dx + c * dy));
+          const auto n = static_cast<size_t>(k);
+          step_[index(mirrored, angle)][n] = y * stride + x;
+          dx_[index(mirrored, angle)][n] = static_cast<std::int8_t>(x);
+          dy_[index(mirrored, angle)][n] = static_cast<std::int8_t>(y);
+        }
+      }
+    }
+  }
+
+  /// Which turn takes the target's frame at p to the example's at q.
+  static size_t turn(std::uint8_t targetAngle, signed char targetSide, std::uint8_t exampleAngle,
+                     signed char exampleSide) {
+    const bool mirrored = targetSide != exampleSide;
+    const int angle = mirrored ? exampleAngle + targetAngle : exampleAngle - targetAngle;
+    return index(mirrored, angle & (kAngles - 1));
+  }
+  const std::array<int, kPatch>& steps(size_t turn) const { return step_[turn]; }
+  int dx(size_t turn, size_t k) const { return dx_[turn][k]; }
+  int dy(size_t turn, size_t k) const { return dy_[turn][k]; }
+
+ private:
+  static size_t index(int mirrored, int angle) { return static_cast<size_t>(mirrored * kAngles + angle); }
+  std::array<std::array<int, kPatch>, 2 * kAngles> step_{};
+  std::array<std::array<std::int8_t, kPatch>, 2 * kAngles> dx_{}, dy_{};
+};
+
+class Level {
+ public:
+  Level(GuidedLevel& level, quint64 seed, std::uint32_t number)
+      : target_(level.target),
+        example_(level.example),
+        offsets_(level.example.stride),
+        seed_(seed),
+        number_(number),
+        field_(target_.leaf.size()) {
+    // A little smooth noise on the target's guides: equal places need not choose equal patches.
+    for (int y = 0; y < target_.height; ++y) {
+      for (int x = 0; x < target_.width; ++x) {
+        const size_t i = target_.at(x, y);
+        target_.guides[i].distance += 0.03f * wave(x, y, 1);
+        target_.guides[i].margin += 0.015f * wave(x, y, 2);
+      }
+    }
+    for (int y = 0; y < target_.height; ++y) {
+      for (int x = 0; x < target_.width; ++x) {
+        if (target_.leaf[target_.at(x, y)]) places_.push_back({x, y});
+      }
+    }
+  }
+
+  std::vector<Match>& field() { return field_; }
+
+  /// Nearest neighbour in guides normalised within the matched regions.
+  void startFromRegions(const std::vector<int>& match) {
+    std::vector<std::vector<size_t>> members(1);
+    for (size_t i = 0; i < example_.leaf.size(); ++i) {
+      if (!example_.leaf[i]) continue;
+      const auto region = static_cast<size_t>(std::max(0, example_.region[i]));
+      if (region >= members.size()) members.resize(region + 1);
+      members[region].push_back(i);
+      members[0].push_back(i);
+    }
+    std::vector<std::vector<size_t>> places(match.size() + 1);
+    for (const auto& [x, y] : places_) {
+      const int region = target_.region[target_.at(x, y)];
+      places[region > 0 && region <= static_cast<int>(match.size()) ? static_cast<size_t>(region) : 0].push_back(
+          target_.at(x, y));
+    }
+    for (size_t r = 0; r < places.size(); ++r) {
+      const auto wanted = static_cast<size_t>(r > 0 ? match[r - 1] : 0);
+      const std::vector<size_t>& pool =
+          wanted > 0 && wanted < members.size() && members[wanted].size() >= 8 ? members[wanted] : members[0];
+      assign(places[r], pool);
+    }
+  }
+
+  void startFromCoarser(const Level& coarser) {
+    for (const auto& [x, y] : places_) {
+      const int cx = std::min(x / 2, coarser.target_.width - 1), cy = std::min(y / 2, coarser.target_.height - 1);
+      Match match = coarser.field_[coarser.target_.at(cx, cy)];
+      if (match.x < 0) match = coarser.nearestMatch(cx, cy);
+      match.x = static_cast<std::int16_t>(std::clamp(2 * match.x + (x & 1), 0, example_.width - 1));
+      match.y = static_cast<std::int16_t>(std::clamp(2 * match.y + (y & 1), 0, example_.height - 1));
+      field_[target_.at(x, y)] = match;
+    }
+  }
+
+  /// Colours from the patches that cover each pixel; `falloff` of the weights with distance from a patch's middle.
+  void vote(float falloff) {
+    std::array<float, kPatch> weights{};
+    for (int k = 0; k < kPatch; ++k) {
+      const int dx = k % 5 - kRadius, dy = k / 5 - kRadius;
+      weights[static_cast<size_t>(k)] = std::exp(-falloff * static_cast<float>(dx * dx + dy * dy));
+    }
+    std::vector<PatchPixel> result = target_.pixels;
+#pragma omp parallel for schedule(dynamic, 4)
+    for (int y = 0; y < target_.height; ++y) {
+      for (int x = 0; x < target_.width; ++x) {
+        if (!target_.leaf[target_.at(x, y)]) continue;
+        float l = 0, a = 0, b = 0, total = 0;
+        for (int k = 0; k < kPatch; ++k) {
+          const int px = x - (k % 5 - kRadius), py = y - (k / 5 - kRadius);
+          if (px < 0 || py < 0 || px >= target_.width || py >= target_.height) continue;
+          const Match& match = field_[target_.at(px, py)];
+          if (match.x < 0) continue;
+          const size_t turn = turnOf(px, py, match.x, match.y);
+          const int steps = offsets_.steps(turn)[static_cast<size_t>(k)];
+          const PatchPixel& pixel =
+              example_
+                  .pixels[static_cast<size_t>(static_cast<std::ptrdiff_t>(example_.padded(match.x, match.y)) + steps)];
+          if (pixel.penalty > 0) continue;
+          const float weight = weights[static_cast<size_t>(k)];
+          l += weight * pixel.l, a += weight * pixel.a, b += weight * pixel.b, total += weight;
+        }
+        if (total > 0) {
+          PatchPixel& pixel = result[target_.padded(x, y)];
+          pixel.l = l / total, pixel.a = a / total, pixel.b = b / total;
+        }
+      }
+    }
+    target_.pixels.swap(result);
+  }
+
+  /// One search: two scans that take over neighbours' matches, then random tries in shrinking windows. Bands of rows
+  /// are independent: beyond their border they see the matches of before.
+  void search(std::uint32_t round) {
+    const std::vector<Match> before = field_;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int band = 0; band < kBands; ++band) {
+      const int top = target_.height * band / kBands, bottom = target_.height * (band + 1) / kBands;
+      for (int y = top; y < bottom; ++y) {
+        for (int x = 0; x < target_.width; ++x) {
+          if (target_.leaf[target_.at(x, y)])
+            field_[target_.at(x, y)].cost = cost(x, y, field_[target_.at(x, y)].x, field_[target_.at(x, y)].y, kFar);
+        }
+      }
+      for (int scan = 0; scan < 2; ++scan) {
+        const int step = scan == 0 ? -1 : 1;
+        for (int n = 0; n < bottom - top; ++n) {
+          const int y = scan == 0 ? top + n : bottom - 1 - n;
+          for (int m = 0; m < target_.width; ++m) {
+            const int x = scan == 0 ? m : target_.width - 1 - m;
+            if (!target_.leaf[target_.at(x, y)]) continue;
+            Match& best = field_[target_.at(x, y)];
+            takeOver(best, x, y, x + step, y, field_);
+            takeOver(best, x, y, x, y + step, y + step >= top && y + step < bottom ? field_ : before);
+            if (scan == 1) tryRandom(best, x, y, round);
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<float> colours() const {
+    std::vector<float> result(3 * target_.leaf.size(), 0.f);
+    for (const auto& [x, y] : places_) {
+      const PatchPixel& pixel = target_.pixels[target_.padded(x, y)];
+      float* out = &result[3 * target_.at(x, y)];
+      out[0] = pixel.l, out[1] = pixel.a, out[2] = pixel.b;
+    }
+    return result;
+  }
+
+ private:
+  struct Place {
+    int x, y;
+  };
+
+  /// Smooth noise of a few pixels' scale, -1..1.
+  float wave(int x, int y, std::uint32_t stream) const {
+    constexpr int kCell = 12;
+    const auto value = [&](int cx, int cy) {
+      return 2 * uniform(seed_, 900 + stream, static_cast<std::uint32_t>(cx), static_cast<std::uint32_t>(cy)) - 1;
+    };
+    const int cx = x / kCell, cy = y / kCell;
+    const float fx = static_cast<float>(x % kCell) / kCell, fy = static_cast<float>(y % kCell) / kCell;
+    const float top = value(cx, cy) * (1 - fx) + value(cx + 1, cy) * fx;
+    const float bottom = value(cx, cy + 1) * (1 - fx) + value(cx + 1, cy + 1) * fx;
+    return top * (1 - fy) + bottom * fy;
+  }
+
+  size_t turnOf(int x, int y, int ex, int ey) const {
+    const size_t t = target_.at(x, y), e = example_.at(ex, ey);
+    return Offsets::turn(target_.angle[t], target_.side[t], example_.angle[e], example_.side[e]);
+  }
+
+  /// Cost of a match; stops early above `limit`.
+  float cost(int x, int y, int ex, int ey, float limit) const {
+    if (ex < 0) return kFar;
+    const size_t t = target_.at(x, y), e = example_.at(ex, ey);
+    if (!example_.leaf[e]) return kFar;
+    const PatchGuide &g = target_.guides[t], &h = example_.guides[e];
+    const float d0 = g.distance - h.distance, d1 = g.vein - h.vein, d2 = g.margin - h.margin, d3 = g.line - h.line;
+    float sum = kGuideWeight * (d0 * d0 + d1 * d1 + d2 * d2 + d3 * d3);
+    if (sum >= limit) return sum;
+    const std::array<int, kPatch>& steps = offsets_.steps(turnOf(x, y, ex, ey));
+    const PatchPixel* from = &example_.pixels[example_.padded(ex, ey)];
+    const PatchPixel* to = &target_.pixels[target_.padded(x, y)];
+    for (int row = 0; row < 5; ++row) {
+      for (int k = 0; k < 5; ++k) {
+        const PatchPixel& p = to[(row - kRadius) * target_.stride + k - kRadius];
+        const PatchPixel& q = from[steps[static_cast<size_t>(5 * row + k)]];
+        const float l = p.l - q.l, a = p.a - q.a, b = p.b - q.b;
+        // Where the target itself is off its leaf nothing is compared.
+        sum += p.penalty > 0 ? 0 : q.penalty > 0 ? q.penalty : l * l + a * a + b * b;
+      }
+      if (sum >= limit) return sum;
+    }
+    return sum;
+  }
+
+  void offer(Match& best, int x, int y, int ex, int ey) const {
+    if (ex < 0 || ey < 0 || ex >= example_.width || ey >= example_.height) return;
+    const float c = cost(x, y, ex, ey, best.cost);
+    if (c < best.cost) best = {static_cast<std::int16_t>(ex), static_cast<std::int16_t>(ey), c};
+  }
+
+  /// The neighbour's match, moved by the step between them as its frame turns it.
+  void takeOver(Match& best, int x, int y, int nx, int ny, const std::vector<Match>& matches) const {
+    if (nx < 0 || ny < 0 || nx >= target_.width || ny >= target_.height) return;
+    const Match& match = matches[target_.at(nx, ny)];
+    if (match.x < 0) return;
+    const size_t turn = turnOf(nx, ny, match.x, match.y);
+    const auto k = static_cast<size_t>((y - ny + kRadius) * 5 + (x - nx + kRadius));
+    offer(best, x, y, match.x + offsets_.dx(turn, k), match.y + offsets_.dy(turn, k));
+  }
+
+  void tryRandom(Match& best, int x, int y, std::uint32_t round) const {
+    std::uint32_t bits = hash(seed_, number_ * 64 + round, static_cast<std::uint32_t>(target_.at(x, y)), 77);
+    for (int radius = std::max(example_.width, example_.height) / 2; radius >= 1; radius /= 2) {
+      bits = pcg(bits);
+      const int dx = static_cast<int>(bits % static_cast<std::uint32_t>(2 * radius + 1)) - radius;
+      bits = pcg(bits);
+      const int dy = static_cast<int>(bits % static_cast<std::uint32_t>(2 * radius + 1)) - radius;
+      offer(best, x, y, best.x + dx, best.y + dy);
+    }
+  }
+
+  Match nearestMatch(int x, int y) const {
+    for (int reach = 1; reach < std::max(target_.width, target_.height); ++reach) {
+      for (int dy = -reach; dy <= reach; ++dy) {
+        for (int dx = -reach; dx <= reach; ++dx) {
+          const int nx = x + dx, ny = y + dy;
+          if (std::max(std::abs(dx), std::abs(dy)) != reach || nx < 0 || ny < 0 || nx >= target_.width ||
+              ny >= target_.height)
+            continue;
+          if (field_[target_.at(nx, ny)].x >= 0) return field_[target_.at(nx, ny)];
+        }
+      }
+    }
+    return {0, 0, kFar};
+  }
+
+  void assign(const std::vector<size_t>& places, const std::vector<size_t>& pool) {
+    if (pool.empty()) return;
+    struct Range {
+      std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+      void add(const PatchGuide& g) {
+        const std::array<float, 3> v{g.distance, g.vein, g.margin};
+        for (size_t c = 0; c < 3; ++c) low[c] = std::min(low[c], v[c]), high[c] = std::max(high[c], v[c]);
+      }
+      std::array<float, 3> of(const PatchGuide& g) const {
+        const std::array<float, 3> v{g.distance, g.vein, g.margin};
+        std::array<float, 3> result{};
+        for (size_t c = 0; c < 3; ++c) result[c] = high[c] > low[c] ? (v[c] - low[c]) / (high[c] - low[c]) : 0.5f;
+        return result;
+      }
+    };
+    Range to, from;
+    for (const size_t i : places) to.add(target_.guides[i]);
+    for (const size_t i : pool) from.add(example_.guides[i]);
+    std::vector<std::array<float, 3>> known;
+    for (const size_t i : pool) known.push_back(from.of(example_.guides[i]));
+    // Large pools are thinned: the search that follows refines.
+    const size_t stride = std::max<size_t>(1, known.size() / 1500);
+#pragma omp parallel for schedule(static)
+    for (size_t n = 0; n < places.size(); ++n) {
+      const std::array<float, 3> wanted = to.of(target_.guides[places[n]]);
+      float best = kFar;
+      size_t chosen = 0;
+      for (size_t k = n % stride; k < known.size(); k += stride) {
+        const float a = wanted[0] - known[k][0], b = wanted[1] - known[k][1], c = wanted[2] - known[k][2];
+        const float d = a * a + b * b + c * c;
+        if (d < best) best = d, chosen = k;
+      }
+      const size_t e = pool[chosen];
+      field_[places[n]] = {static_cast<std::int16_t>(e % static_cast<size_t>(example_.width)),
+                           static_cast<std::int16_t>(e / static_cast<size_t>(example_.width)), kFar};
+    }
+  }
+
+  PatchImage& target_;
+  const PatchImage& example_;
+  Offsets offsets_;
+  quint64 seed_;
+  std::uint32_t number_;
+  std::vector<Match> field_;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+std::vector<float> synthesizeGuided(std::vector<GuidedLevel> levels, const std::vector<int>& match, quint64 seed,
+                                    Progress& progress) {
+  std::unique_ptr<Level> coarser;
+  for (size_t n = 0; n < levels.size(); ++n) {
+    auto level = std::make_unique<Level>(levels[n], seed, static_cast<std::uint32_t>(n));
+    if (coarser) {
+      level->startFromCoarser(*coarser);
+    } else {
+      level->startFromRegions(match);
+    }
+    level->vote(0.15f);
+    const int rounds = n == 0 ? 4 : n == 1 ? 3 : 2;
+    for (int round = 0; round < rounds; ++round) {
+      if (progress.cancelled()) return {};
+      level->search(static_cast<std::uint32_t>(round));
+      const bool last = n + 1 == levels.size() && round + 1 == rounds;
+      level->vote(last ? 1.2f : 0.15f);
+    }
+    progress.report(static_cast<double>(n + 1) / static_cast<double>(levels.size()));
+    coarser = std::move(level);
+  }
+  return coarser ? coarser->colours() : std::vector<float>{};
+}
+
+}  // namespace windfall::model

@@ -1,0 +1,88 @@
+#include "model/leaf/patch_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+namespace windfall::model {
+
+namespace {
+
+constexpr float kOffLeaf = 600;
+
+cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::Size full, cv::Size size,
+                 const cv::Mat1f& small) {
+  const cv::Mat1f field(full.height, full.width, const_cast<float*>(values.data()));
+  cv::Mat1f result;
+  cv::resize(field.mul(weight), result, size, 0, 0, cv::INTER_AREA);
+  return result / cv::max(small, 1e-4);
+}
+
+}  // namespace
+
+PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame, const float* lab, double factor) {
+  const cv::Size full(structure.distance.size.width(), structure.distance.size.height());
+  const cv::Size size(std::max(1, static_cast<int>(std::lround(full.width / factor))),
+                      std::max(1, static_cast<int>(std::lround(full.height / factor))));
+  cv::Mat1f weight(full), small;
+  for (int y = 0; y < full.height; ++y) {
+    for (int x = 0; x < full.width; ++x) {
+      weight(y, x) =
+          structure.regions.values[static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x)] >
+                  0
+              ? 1.f
+              : 0.f;
+    }
+  }
+  cv::resize(weight, small, size, 0, 0, cv::INTER_AREA);
+  const cv::Mat1f distance = shrunk(structure.distance.values, weight, full, size, small);
+  const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
+  const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
+  cv::Mat1f lines(full), line;
+  for (int y = 0; y < full.height; ++y) {
+    for (int x = 0; x < full.width; ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
+      lines(y, x) = weight(y, x) > 0 && structure.veinDistance.values[i] <= 0 ? 1.f : 0.f;
+    }
+  }
+  cv::GaussianBlur(lines, lines, {}, 1.2 * std::max(full.width, full.height) / 512.0);
+  cv::resize(lines, line, size, 0, 0, cv::INTER_AREA);
+  cv::Mat3f colours = cv::Mat3f::zeros(size);
+  if (lab) {
+    const cv::Mat3f source(full.height, full.width, reinterpret_cast<cv::Vec3f*>(const_cast<float*>(lab)));
+    cv::resize(source, colours, size, 0, 0, cv::INTER_AREA);
+  }
+
+  PatchImage image;
+  image.width = size.width;
+  image.height = size.height;
+  image.stride = size.width + 2 * kPatchPadding;
+  image.pixels.assign(static_cast<size_t>(image.stride) * static_cast<size_t>(size.height + 2 * kPatchPadding),
+                      {0, 0, 0, kOffLeaf});
+  const size_t count = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
+  image.guides.resize(count);
+  image.leaf.resize(count);
+  image.angle.resize(count);
+  image.side.resize(count);
+  image.region.resize(count);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const size_t i = image.at(x, y);
+      const int fx = std::min(full.width - 1, static_cast<int>((x + 0.5) * full.width / size.width));
+      const int fy = std::min(full.height - 1, static_cast<int>((y + 0.5) * full.height / size.height));
+      const size_t j = static_cast<size_t>(fy) * static_cast<size_t>(full.width) + static_cast<size_t>(fx);
+      image.leaf[i] = small(y, x) > 0.5f;
+      image.guides[i] = {distance(y, x), std::min(1.f, vein(y, x)), 0.5f * margin(y, x), line(y, x)};
+      const double turns = frame.angle[j] / (2 * std::numbers::pi);
+      image.angle[i] = static_cast<std::uint8_t>(static_cast<int>(std::lround((turns - std::floor(turns)) * 64)) & 63);
+      image.side[i] = frame.side[j];
+      image.region[i] = structure.regions.values[j];
+      const cv::Vec3f& colour = colours(y, x);
+      image.pixels[image.padded(x, y)] = {colour[0], colour[1], colour[2], image.leaf[i] ? 0.f : kOffLeaf};
+    }
+  }
+  return image;
+}
+
+}  // namespace windfall::model
