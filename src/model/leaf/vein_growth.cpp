@@ -206,7 +206,7 @@ class Grower {
     if (way.size() < 2) way = {axis_.root, tip};
     // The middle way is only where to go; the vein itself is grown towards places on it.
     const double step = 0.05 * size_;
-    Polygon line = smoothCurve(follow(way, step, 0.8 * parameters_.wiggle));
+    Polygon line = smoothCurve(follow(way, step, 0.6 * parameters_.wiggle));
     if (!onLeaf(line)) line = smoothCurve(follow(way, step, 0));
     if (!onLeaf(line)) line = way;
     Vein vein;
@@ -274,7 +274,7 @@ class Grower {
           const QPointF direction = turned(ahead / std::max(length(ahead), 1e-9), side * angle * kDegree);
           const QPointF target = rayEnd(base, direction);
           if (length(target - base) < 0.03 * size_) break;
-          Polygon line = smoothCurve(growWalk(base, target, 0.035 * size_, 1.2 * parameters_.wiggle, random_));
+          Polygon line = smoothCurve(growWalk(base, target, 0.035 * size_, 0.7 * parameters_.wiggle, random_));
           if (!onLeaf(line)) line = {base, base + 0.5 * (target - base), target};
           if (!onLeaf(line) || crossesAny(line, before, mainIndex)) continue;
           Vein vein;
