@@ -56,3 +56,26 @@ TEST_CASE("a picture larger than the device allows is refused with its size") {
   REQUIRE_FALSE(bool(refused));
   CHECK(refused.error().message.find("200000x10") != std::string::npos);
 }
+
+TEST_CASE("a picture of high quality has grass, without specks") {
+  test::Stage stage(240, 135);
+  WINDFALL_NEEDS_OPENGL(stage);
+  stage.view.eye = {0, 1.2f, 5};
+  stage.view.target = {0, 0.6f, 0};
+  const render::Picture bare = stage.draw();
+  const int calls = stage.renderer->lastDraw().calls;
+  stage.view.quality = render::Quality::High;
+  const render::Picture grown = stage.draw();
+  CHECK(stage.renderer->lastDraw().calls == calls + 1);
+  int changed = 0, black = 0;
+  for (int y = 70; y < 135; ++y) {
+    for (int x = 0; x < 240; ++x) {
+      const float now = test::brightness(test::meanColor(grown, x, y, x + 1, y + 1));
+      changed += std::abs(now - test::brightness(test::meanColor(bare, x, y, x + 1, y + 1))) > 6 ? 1 : 0;
+      black += now < 4 ? 1 : 0;
+    }
+  }
+  CHECK(changed > 1500);
+  CHECK(black == 0);
+  if (black != 0) test::keep(grown, "render_grass");
+}
