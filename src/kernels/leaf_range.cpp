@@ -49,7 +49,13 @@ inline void stepRange(const LeafArrays& arrays, std::uint32_t begin, std::uint32
   }
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// Sanitizers check one version: four would take minutes to compile.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__) && !defined(WINDFALL_SANITIZED)
+#define WINDFALL_LEVELS
+#endif
+
+#if defined(WINDFALL_LEVELS)
 #define WINDFALL_LEVEL(name, arch)                                                                        \
   __attribute__((target("arch=" arch), flatten)) void name(const LeafArrays& arrays, std::uint32_t begin, \
                                                            std::uint32_t end, const LeafStep& step) {     \
@@ -67,7 +73,7 @@ void stepPlain(const LeafArrays& arrays, std::uint32_t begin, std::uint32_t end,
 
 }  // namespace
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(WINDFALL_LEVELS)
 int bestLevel() {
   if (__builtin_cpu_supports("x86-64-v4")) return 4;
   if (__builtin_cpu_supports("x86-64-v3")) return 3;
