@@ -8,7 +8,9 @@ namespace windfall::app {
 
 namespace {
 constexpr DeclareCommand kCommands[] = {
+    declareAtlas,
     declareBench,
+    declareLeaf,
     declarePlant,
     declareSimulate,
 };

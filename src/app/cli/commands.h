@@ -5,8 +5,10 @@
 
 namespace windfall::app {
 
+void declareAtlas(CLI::App& app, Action& action);
 void declareBench(CLI::App& app, Action& action);
 void declareCheck(CLI::App& app, Action& action);
+void declareLeaf(CLI::App& app, Action& action);
 void declareNew(CLI::App& app, Action& action);
 void declarePlant(CLI::App& app, Action& action);
 void declareSimulate(CLI::App& app, Action& action);

@@ -1,0 +1,161 @@
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QStringList>
+
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "model/export/leaf_folder.h"
+#include "model/leaf/marker_image.h"
+#include "model/leaf/stages.h"
+#include "model/progress_part.h"
+
+namespace windfall::app {
+
+namespace {
+
+struct LeafOptions {
+  std::string photo, output, mask, root, markers;
+  std::vector<std::string> examples;
+  int variants = 4;
+  int size = 1024;
+  std::uint64_t seed = 1;
+};
+
+/// What went wrong, and in which of the files.
+struct Failure {
+  QString file;
+  Error error;
+};
+
+Result<QImage> readMarks(const QString& path, QSize wanted) {
+  Result<model::SourceFile> source = model::readSourceFile(path);
+  if (!source) return source.error();
+  Result<QImage> image = model::readPhoto(*source);
+  if (!image) return image.error();
+  if (image->size() != wanted) {
+    return Error{QStringLiteral("%1×%2 pixels where the photo has %3×%4")
+                     .arg(image->width())
+                     .arg(image->height())
+                     .arg(wanted.width())
+                     .arg(wanted.height())
+                     .toStdString()};
+  }
+  return image->convertToFormat(QImage::Format_Grayscale8);
+}
+
+/// The leaf asset that the options describe; `failure` says why there is none.
+bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failure) {
+  const QString photo = text(options.photo);
+  const auto fails = [&](const QString& file, const Error& error) {
+    failure = {file, error};
+    return false;
+  };
+  Result<model::SourceFile> source = model::readSourceFile(photo);
+  if (!source) return fails(photo, source.error());
+  leaf.photo = std::move(*source);
+  leaf.name = QFileInfo(photo).completeBaseName();
+  leaf.parameters.synthesis.size = options.size;
+  leaf.parameters.veins.seed = options.seed;
+  const bool marked = !options.mask.empty() || !options.markers.empty() || !options.root.empty();
+  if (!marked) return true;
+  const Result<QImage> picture = model::readPhoto(leaf.photo);
+  if (!picture) return fails(photo, picture.error());
+  if (!options.mask.empty()) {
+    const Result<QImage> mask = readMarks(text(options.mask), picture->size());
+    if (!mask) return fails(text(options.mask), mask.error());
+    leaf.mask = *mask;
+  }
+  if (!options.markers.empty()) {
+    const Result<QImage> spots = readMarks(text(options.markers), picture->size());
+    if (!spots) return fails(text(options.markers), spots.error());
+    leaf.markers = model::markersOf(*spots);
+    if (leaf.markers.empty()) return fails(text(options.markers), Error{"no white spot in it"});
+  }
+  if (!options.root.empty()) {
+    const QStringList parts = text(options.root).split(',');
+    const QPointF root(parts.value(0).toDouble(), parts.value(1).toDouble());
+    if (!QRectF(picture->rect()).contains(root)) return fails(photo, Error{"--root lies outside the picture"});
+    leaf.root = root;
+  }
+  return true;
+}
+
+/// "X,Y", two numbers.
+std::string wrongPoint(const std::string& value) {
+  const QStringList parts = text(value).split(',');
+  bool x = false, y = false;
+  parts.value(0).toDouble(&x);
+  parts.value(1).toDouble(&y);
+  return parts.size() == 2 && x && y ? std::string() : "must be two numbers, X,Y in pixels of the photo";
+}
+
+int makeLeaf(const LeafOptions& options) {
+  InterruptProgress progress;
+  const QString photo = text(options.photo);
+  model::Leaf leaf;
+  Failure failure;
+  if (!describeLeaf(options, leaf, failure)) return fail(failure.file, failure.error);
+
+  model::ProgressPart shape(progress, 0, 0.4);
+  const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape);
+  if (!stages) return fail(photo, stages.error());
+  std::vector<model::LeafStages> examples;
+  for (const std::string& file : options.examples) {
+    Result<model::SourceFile> source = model::readSourceFile(text(file));
+    if (!source) return fail(text(file), source.error());
+    model::Leaf example;
+    example.photo = std::move(*source);
+    example.parameters = leaf.parameters;
+    Result<model::LeafStages> its = model::computeStages(example, model::Stage::Superpixels, shape);
+    if (!its) return fail(text(file), its.error());
+    examples.push_back(std::move(*its));
+  }
+
+  model::LeafFolder folder;
+  folder.stages = &*stages;
+  folder.bladeLength = leaf.bladeLength;
+  for (int i = 0; i < options.variants; ++i) {
+    QElapsedTimer timer;
+    timer.start();
+    const double share = 0.5 / options.variants;
+    model::ProgressPart part(progress, 0.4 + i * share, 0.4 + (i + 1) * share);
+    const auto index = static_cast<size_t>(i);
+    const model::LeafStages& example = examples.empty() ? *stages : examples[index % examples.size()];
+    const quint64 seed = options.seed + index;
+    Result<QImage> variant = model::synthesize(*stages, example, leaf.parameters.synthesis, seed, part);
+    if (!variant) return fail(photo, variant.error());
+    folder.seeds.push_back(seed);
+    folder.variants.push_back(std::move(*variant));
+    folder.variantSeconds.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+  }
+  model::ProgressPart writing(progress, 0.9, 1);
+  const Status written = model::writeLeafFolder(folder, text(options.output), writing);
+  return written ? 0 : fail(text(options.output), written.error());
+}
+
+}  // namespace
+
+void declareLeaf(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("leaf", "Make leaf textures from a photo, and show every stage of the way");
+  auto options = std::make_shared<LeafOptions>();
+  command->add_option("PHOTO", options->photo, "Photo that gives the shape (JPEG, PNG)")->required();
+  command->add_option("-o,--output", options->output, "Folder for the pictures and numbers")->required();
+  command->add_option("--mask", options->mask, "Mask in the photo's size, white leaf; found without it");
+  command->add_option("--root", options->root, "X,Y: where the petiole meets the blade, in pixels; found without it")
+      ->check(CLI::Validator(wrongPoint, "X,Y"));
+  command->add_option("--markers", options->markers, "White spots in the photo's size, one a region; found without it");
+  command->add_option("--example", options->examples, "Photo that gives the colours (default: PHOTO); may be repeated")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--variants", options->variants, "How many textures")
+      ->check(CLI::Range(0, 999))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Long side of the textures, px")
+      ->check(CLI::Range(64, 4096))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of veins and textures")->capture_default_str();
+  command->callback([options, &action] { action = [options] { return makeLeaf(*options); }; });
+}
+
+}  // namespace windfall::app

@@ -1,0 +1,31 @@
+// What `windfall leaf` writes: one leaf's stages and variants as plain files in a folder.
+#pragma once
+
+#include <QImage>
+#include <QJsonObject>
+#include <QString>
+#include <vector>
+
+#include "model/leaf/atlas.h"
+#include "model/leaf/stages.h"
+
+namespace windfall::model {
+
+/// What goes into the folder.
+struct LeafFolder {
+  const LeafStages* stages = nullptr;  ///< all of them reached
+  double bladeLength = 0.08;           ///< m
+  std::vector<quint64> seeds;          ///< of the variants
+  std::vector<QImage> variants;
+  std::vector<double> variantSeconds;
+};
+
+/// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png,
+/// variant_000.png and on, timings.json, and look_*.png, the stages laid over the photo. All is made in a folder beside
+/// `path` and put in place when it is whole; variants of an earlier run go. `path` is made where it is missing.
+Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& progress);
+
+/// The variants of such a folder, turned upright.
+Result<std::vector<LeafTexture>> readLeafFolder(const QString& path);
+
+}  // namespace windfall::model
