@@ -55,6 +55,8 @@ class Workspace : public QObject {
   virtual void restoreView(const QJsonObject&) {}
   /// Nothing is being computed any more for what is shown (pictures for the docs, tests).
   virtual bool isSettled() const { return true; }
+  /// The project is about to be written: what runs goes into the document as it stands.
+  virtual void beforeSave() {}
 
  signals:
   void message(const QString& text, bool isError);

@@ -1,0 +1,366 @@
+#include "widgets/plant/plant_workspace.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPointer>
+#include <QSplitter>
+#include <algorithm>
+
+#include "model/plant/import.h"
+#include "widgets/look/icon.h"
+#include "widgets/look/look.h"
+#include "widgets/plant/branch_attributes.h"
+#include "widgets/plant/motion_plot.h"
+#include "widgets/plant/plant_settings.h"
+#include "widgets/scene/transport.h"
+#include "widgets/viewport/camera_json.h"
+
+namespace windfall::widgets {
+namespace {
+
+constexpr float kCalmSeason = 0;  // leaves stay on while branches are tuned
+
+/// Reads the file and imports it once, so that what is wrong with it is said before it is added.
+Result<model::Plant> readPlant(const QString& path, model::Progress& progress) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return Error{QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), file.errorString()).toStdString()};
+  }
+  model::Plant plant;
+  plant.name = QFileInfo(path).completeBaseName();
+  plant.file = {QFileInfo(path).fileName(), file.readAll()};
+  Result<model::PlantGeometry> geometry = model::loadGeometry(plant, progress);
+  if (geometry) return plant;
+  return Error{plant.file.name.toStdString() + ": " + geometry.error().message, geometry.error().cancelled};
+}
+
+}  // namespace
+
+void PlantWorkspace::ClickTool::click(const ViewportEvent& event) {
+  const Ray ray = event.camera.ray(event.position, event.size);
+  workspace_.controller_.requestPose(
+      [this, ray, slack = pickSlack(event), modifiers = event.modifiers](const std::vector<mat4>& pose) {
+        if (const auto hit = pick(ray, workspace_.feed_.capsules(), pose, slack)) {
+          workspace_.branches_->clickLink(hit->link, modifiers);
+        } else if (!(modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) {
+          workspace_.branches_->clear();
+        }
+      });
+}
+
+PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
+    : Workspace(parent),
+      context_(context),
+      feed_(context.document, context.jobs, controller_, "plant", [this] { return alone(); }),
+      viewport_(new Viewport),
+      inspector_(new QWidget),
+      strip_(new QWidget) {
+  viewport_->setObjectName("plantViewport");
+  viewport_->setSource(&controller_);
+  viewport_->setTool(&click_);
+  viewport_->setBounds([this] { return bounds(true); }, [this] { return bounds(false); });
+  select_ = new QAction(icon("select"), tr("Choose"), this);
+  select_->setCheckable(true);
+  select_->setChecked(true);
+  select_->setShortcut(Qt::Key_W);
+  select_->setStatusTip(tr("Click a branch to choose it; Shift adds, Ctrl toggles. Drag to look around."));
+  chooseAll_ = new QAction(tr("Choose All Branches"), this);
+  chooseAll_->setShortcut(Qt::Key_A);
+  chooseAll_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  chooseNone_ = new QAction(tr("Choose None"), this);
+  chooseNone_->setShortcut(QKeySequence("Alt+A"));
+  chooseNone_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  viewport_->addActions({chooseAll_, chooseNone_});
+  makeInspector();
+  makeStrip();
+
+  connect(chooseAll_, &QAction::triggered, branches_, &BranchPanel::chooseAll);
+  connect(chooseNone_, &QAction::triggered, branches_, &BranchPanel::clear);
+  connect(&controller_, &SimulationController::redrawWanted, viewport_.data(), qOverload<>(&QWidget::update));
+  connect(&controller_, &SimulationController::reported, this, &PlantWorkspace::showFrame);
+  connect(&controller_, &SimulationController::problem, this,
+          [this](const QString& text) { emit message(text, true); });
+  connect(&feed_, &SceneFeed::assembled, this, &PlantWorkspace::showPlant);
+  connect(&context_.document, &model::Document::changed, this, &PlantWorkspace::follow);
+  controller_.setPoseWatched(true);
+  follow({});
+}
+
+PlantWorkspace::~PlantWorkspace() {
+  if (viewport_) {
+    viewport_->setTool(nullptr);
+    viewport_->setSource(nullptr);
+  }
+}
+
+void PlantWorkspace::makeInspector() {
+  auto* panel = new FieldPanel("plant");
+  branches_ = new BranchPanel;
+  attributes_ = new BranchAttributes(context_.document, *panel, this);
+  settings_ = new PlantSettings(context_.document, *panel, this);
+  auto* splitter = new QSplitter(Qt::Vertical);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(branches_);
+  splitter->addWidget(panel);
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 3);
+  auto* column = new QVBoxLayout(inspector_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(splitter);
+  connect(branches_, &BranchPanel::chosenChanged, this, &PlantWorkspace::showChosen);
+  connect(settings_, &PlantSettings::plantChosen, this, &PlantWorkspace::choosePlant);
+  connect(settings_, &PlantSettings::windChanged, this, &PlantWorkspace::setWind);
+  connect(settings_, &PlantSettings::importWanted, this, &PlantWorkspace::askForFile);
+  connect(settings_, &PlantSettings::growWanted, this, &PlantWorkspace::grow);
+}
+
+void PlantWorkspace::makeStrip() {
+  transport_ = new Transport(controller_, strip_);
+  motion_ = new MotionPlot(strip_);
+  auto* row = new QHBoxLayout(strip_);
+  row->setContentsMargins(3 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
+  row->setSpacing(4 * kGrid);
+  row->addWidget(transport_);
+  row->addWidget(motion_, 1);
+}
+
+void PlantWorkspace::fillMenu(QMenu& menu) {
+  menu.addAction(icon("import"), tr("Import Plant…"), this, &PlantWorkspace::askForFile);
+  menu.addAction(icon("plant"), tr("Grow Plant"), this, &PlantWorkspace::grow);
+  menu.addSeparator();
+  menu.addAction(transport_->playAction());
+  menu.addAction(transport_->stepAction());
+  menu.addAction(transport_->resetAction());
+  menu.addSeparator();
+  menu.addAction(chooseAll_);
+  menu.addAction(chooseNone_);
+}
+
+/// The shown plant at the origin, in a wind of this workspace.
+std::optional<model::Project> PlantWorkspace::alone() const {
+  const model::Project& project = context_.document.project();
+  const model::Plant* plant = project.plant(plant_);
+  if (plant == nullptr) return std::nullopt;
+  model::Project alone;
+  alone.plants = {*plant};
+  for (const model::Leaf& leaf : project.leaves) {
+    if (std::find(plant->leaves.begin(), plant->leaves.end(), leaf.id) != plant->leaves.end())
+      alone.leaves.push_back(leaf);
+  }
+  model::TreePlacement tree;
+  tree.id = {plant_.value + 1};
+  tree.plant = plant_;
+  tree.name = plant->name;
+  alone.scene.trees = {tree};
+  alone.scene.wind = project.scene.wind;
+  alone.scene.wind.speed = static_cast<float>(settings_->wind());
+  alone.scene.wind.until = sim::WindSettings().until;
+  alone.scene.leaves = project.scene.leaves;
+  alone.scene.leaves.season = kCalmSeason;
+  alone.scene.leaves.spawnHeight = 0;
+  alone.scene.solver = project.scene.solver;
+  alone.scene.light = project.scene.light;
+  alone.scene.seed = project.scene.seed;
+  return alone;
+}
+
+model::LoadedPlant PlantWorkspace::loaded() const {
+  if (feed_.assembly() == nullptr) return {};
+  const auto found = feed_.assembly()->plants.find(plant_);
+  return found == feed_.assembly()->plants.end() ? model::LoadedPlant{} : found->second;
+}
+
+void PlantWorkspace::follow(const model::Change& change) {
+  const model::Project& project = context_.document.project();
+  if (change.aspect == model::Aspect::Everything) {
+    controller_.pause();
+    plant_ = framedPlant_ = {};
+  }
+  if (!project.plant(plant_)) {
+    choosePlant(project.plants.empty() ? model::AssetId{} : project.plants.front().id);
+    return;
+  }
+  switch (change.aspect) {
+    case model::Aspect::PlantSource:
+    case model::Aspect::PlantLeaves:
+    case model::Aspect::PlantEdits:
+      if (change.asset != plant_) return;
+      [[fallthrough]];
+    case model::Aspect::LeafVariants:
+    case model::Aspect::Wind:
+    case model::Aspect::FallingLeaves:
+    case model::Aspect::Solver:
+    case model::Aspect::Light:
+      if (change.aspect == model::Aspect::PlantEdits) {
+        feed_.follow(change);
+        showChosen();
+      } else if (active_) {
+        feed_.follow(change);
+      } else {
+        outdated_ = true;
+      }
+      settings_->show(plant_, loaded());
+      break;
+    case model::Aspect::Assets:
+      settings_->show(plant_, loaded());
+      break;
+    default:
+      break;
+  }
+}
+
+void PlantWorkspace::choosePlant(model::AssetId plant) {
+  plant_ = plant;
+  branches_->setPlant({});
+  outdated_ = true;
+  if (active_ || !plant_) {
+    outdated_ = false;
+    feed_.rebuild(false);
+  }
+  settings_->show(plant_, loaded());
+  viewport_->setHint(plant_ ? QString() : tr("Import a tree (FBX, glTF) or grow one."));
+}
+
+void PlantWorkspace::activate() {
+  active_ = true;
+  if (outdated_ && plant_) feed_.rebuild(false);
+  outdated_ = false;
+  viewport_->setFocus();
+}
+
+void PlantWorkspace::deactivate() {
+  active_ = false;
+  controller_.pause();
+}
+
+void PlantWorkspace::show(model::AssetId asset) {
+  if (context_.document.project().plant(asset) && asset != plant_) choosePlant(asset);
+}
+
+void PlantWorkspace::showPlant() {
+  const model::LoadedPlant plant = loaded();
+  branches_->setPlant(plant);
+  settings_->show(plant_, plant);
+  showChosen();
+  if (framedPlant_ == plant_) return;
+  framedPlant_ = plant_;
+  const auto box = bounds(false);
+  if (!box || std::exchange(keepCamera_, false)) return;
+  OrbitCamera camera(viewport_->camera());
+  camera.frame(*box, viewport_->size());
+  viewport_->setCamera(camera.state());
+}
+
+void PlantWorkspace::showChosen() {
+  const model::SceneAssembly* assembly = feed_.assembly();
+  const model::Plant* plant = context_.document.project().plant(plant_);
+  if (assembly == nullptr || assembly->sim.trees.empty() || plant == nullptr) {
+    attributes_->show({}, {}, nullptr, {}, 0);
+    return;
+  }
+  std::set<QString> edited;
+  for (const auto& [bone, attributes] : plant->edits) edited.insert(bone);
+  branches_->model().setEdited(edited);
+  const std::vector<std::size_t> links = branches_->chosenLinks();
+  const std::vector<int> branches = branches_->chosenBranches();
+  const auto tree = assembly->sim.trees.front().tree;
+  attributes_->show(plant_, loaded(), tree, links, branches.size());
+  if (links == chosen_ && tipLink_.has_value() == !links.empty()) return;
+  chosen_ = links;
+  controller_.setHighlighted({links.begin(), links.end()});
+  tipLink_.reset();
+  if (!links.empty()) tipLink_ = links.back();
+  QString name;
+  if (!branches.empty()) {
+    const auto& all = loaded().bodies->branches;
+    const int branch = tree->links[links.back()].chain;
+    name = all[static_cast<std::size_t>(branch)].name;
+  }
+  motion_->start(name);
+}
+
+void PlantWorkspace::showFrame() {
+  const FrameResult& last = controller_.last();
+  if (!tipLink_ || *tipLink_ >= last.pose.size() || *tipLink_ >= feed_.capsules().size()) return;
+  const vec3 tip = feed_.capsules()[*tipLink_].to;
+  motion_->add(last.statistics.time, vec3(last.pose[*tipLink_] * vec4(tip, 1)) - tip);
+}
+
+void PlantWorkspace::setWind(double) {
+  if (const std::optional<model::Project> project = alone()) controller_.setWind(project->scene.wind);
+}
+
+std::optional<Box> PlantWorkspace::bounds(bool chosenOnly) const {
+  const std::vector<mat4> pose = feed_.restPose();
+  if (!chosenOnly) return boundsOf(feed_.capsules(), pose);
+  std::vector<LinkCapsule> capsules;
+  for (const std::size_t link : chosen_) {
+    if (link < feed_.capsules().size()) capsules.push_back(feed_.capsules()[link]);
+  }
+  return boundsOf(capsules, pose);
+}
+
+void PlantWorkspace::askForFile() {
+  const QString path = QFileDialog::getOpenFileName(viewport_, tr("Import Plant"), {},
+                                                    tr("Plants (%1)").arg(model::plantFilePatterns().join(' ')));
+  if (!path.isEmpty()) openFile(path);
+}
+
+bool PlantWorkspace::openFile(const QString& path) {
+  const QString pattern = "*." + QFileInfo(path).suffix().toLower();
+  if (!model::plantFilePatterns().contains(pattern)) return false;
+  context_.jobs.start<model::Plant>(
+      tr("Importing %1").arg(QFileInfo(path).fileName()), "import plant",
+      [path](model::Progress& progress) { return readPlant(path, progress); },
+      [self = QPointer<PlantWorkspace>(this)](model::Plant plant) {
+        if (self) self->addPlant(std::move(plant));
+      });
+  return true;
+}
+
+void PlantWorkspace::grow() {
+  model::Plant plant;
+  plant.name = tr("Grown tree");
+  plant.grower = model::GrowerSettings{};
+  addPlant(std::move(plant));
+}
+
+/// The first plant of a project also gets a tree in the scene, so that there is something to see.
+void PlantWorkspace::addPlant(model::Plant plant) {
+  model::Document& document = context_.document;
+  for (const model::Leaf& leaf : document.project().leaves) plant.leaves.push_back(leaf.id);
+  document.undoStack().beginMacro(tr("Add %1").arg(plant.name));
+  const model::AssetId id = document.addPlant(std::move(plant));
+  if (document.project().scene.trees.empty()) {
+    model::TreePlacement tree;
+    tree.plant = id;
+    tree.name = document.project().plant(id)->name;
+    document.addTree(tree);
+  }
+  document.undoStack().endMacro();
+  choosePlant(id);
+}
+
+QJsonObject PlantWorkspace::saveView() const {
+  return {
+      {"camera", toJson(viewport_->camera().state())}, {"wind", settings_->wind()}, {"plant", double(plant_.value)}};
+}
+
+void PlantWorkspace::restoreView(const QJsonObject& view) {
+  if (const auto camera = cameraFromJson(view["camera"].toObject())) {
+    viewport_->setCamera(*camera);
+    keepCamera_ = true;
+  }
+  settings_->setWind(std::clamp(view["wind"].toDouble(settings_->wind()), 0.0, 60.0));
+  show({static_cast<quint64>(view["plant"].toDouble())});
+  setWind(settings_->wind());
+}
+
+bool PlantWorkspace::isSettled() const {
+  return !feed_.isAssembling() && controller_.isSettled() && !viewport_->isMoving();
+}
+
+}  // namespace windfall::widgets

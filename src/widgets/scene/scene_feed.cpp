@@ -1,0 +1,213 @@
+#include "widgets/scene/scene_feed.h"
+
+#include <QPointer>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "model/plant/live_edits.h"
+#include "widgets/viewport/scene_content.h"
+
+namespace windfall::widgets {
+namespace {
+
+constexpr double kDegrees = std::numbers::pi / 180;
+
+sim::Placement toPlacement(const model::TreePlacement& tree) {
+  return {{tree.position.x(), tree.position.y(), tree.position.z()}, static_cast<float>(tree.heading * kDegrees)};
+}
+
+}  // namespace
+
+vec3 toSun(const model::Light& light) {
+  const double azimuth = light.azimuth * kDegrees, elevation = light.elevation * kDegrees;
+  return {static_cast<float>(std::sin(azimuth) * std::cos(elevation)), static_cast<float>(std::sin(elevation)),
+          static_cast<float>(-std::cos(azimuth) * std::cos(elevation))};
+}
+
+SceneFeed::SceneFeed(model::Document& document, model::JobRunner& jobs, SimulationController& controller,
+                     const QString& slot, Source source, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      jobs_(jobs),
+      controller_(controller),
+      slot_(slot),
+      source_(std::move(source)) {}
+
+void SceneFeed::rebuild(bool restore) {
+  restore_ = restore || (job_ && restore_);
+  const std::optional<model::Project> project = source_();
+  if (!project || project->scene.trees.empty()) {
+    assembly_.reset();
+    placements_.clear();
+    capsules_.clear();
+    spans_.clear();
+    if (job_) job_->cancel();
+    job_ = nullptr;
+    controller_.clear();
+    if (project) passSettings(*project);
+    emit assembled();
+    return;
+  }
+  model::Job* job = jobs_.start<std::shared_ptr<Assembly>>(
+      tr("Preparing the scene"), slot_,
+      [project = *project](model::Progress& progress) -> Result<std::shared_ptr<Assembly>> {
+        Result<model::SceneAssembly> scene = model::assembleScene(project, progress);
+        if (!scene) return scene.error();
+        auto assembly = std::make_shared<Assembly>();
+        assembly->scene = std::move(*scene);
+        assembly->content = std::make_shared<render::SceneContent>(makeContent(assembly->scene, project.scene, 0));
+        return assembly;
+      },
+      [self = QPointer<SceneFeed>(this), project = *project](std::shared_ptr<Assembly> assembly) {
+        if (self) self->take(std::move(assembly), project, self->restore_);
+      });
+  job_ = job;
+  connect(job, &model::Job::finished, this, [this, job] {
+    if (job_ == job) job_ = nullptr;
+  });
+}
+
+void SceneFeed::take(std::shared_ptr<Assembly> assembly, const model::Project& project, bool restore) {
+  assembly_ = std::move(assembly);
+  placements_ = project.scene.trees;
+  restore_ = false;
+  capsules_.clear();
+  spans_.clear();
+  for (std::size_t i = 0; i < assembly_->scene.trees.size(); ++i) {
+    const auto capsules = capsulesOf(*assembly_->scene.sim.trees[i].tree);
+    spans_.push_back({assembly_->scene.trees[i], capsules_.size(), capsules.size()});
+    capsules_.insert(capsules_.end(), capsules.begin(), capsules.end());
+  }
+  controller_.setScene(assembly_->scene.sim, assembly_->content, restore ? project.simulation.bytes : QByteArray());
+  // While the job ran the document may have moved on.
+  if (const std::optional<model::Project> now = source_()) {
+    for (const auto& [plant, loaded] : assembly_->scene.plants) {
+      const model::Plant *before = project.plant(plant), *after = now->plant(plant);
+      if (before && after && before->edits != after->edits) passTrees(plant);
+    }
+    if (movesOnly(*now) && now->scene.trees != placements_) place(*now);
+    passSettings(*now);
+  }
+  emit assembled();
+}
+
+bool SceneFeed::follow(const model::Change& change) {
+  const std::optional<model::Project> project = source_();
+  switch (change.aspect) {
+    case model::Aspect::Everything:
+      rebuild(true);
+      return true;
+    case model::Aspect::Assets:
+    case model::Aspect::PlantSource:
+    case model::Aspect::PlantLeaves:
+      rebuild(false);
+      return true;
+    case model::Aspect::LeafVariants:
+      if (!usesLeaf(change.asset)) return false;
+      rebuild(false);
+      return true;
+    case model::Aspect::SceneTrees:
+      if (project && assembly_ && !job_ && movesOnly(*project)) {
+        place(*project);
+      } else {
+        rebuild(false);
+      }
+      return true;
+    case model::Aspect::PlantEdits:
+      passTrees(change.asset);
+      return true;
+    case model::Aspect::Wind:
+      if (project) controller_.setWind(project->scene.wind);
+      return true;
+    case model::Aspect::FallingLeaves:
+      if (project) controller_.setLeaves(project->scene.leaves);
+      return true;
+    case model::Aspect::Solver:
+      if (assembly_ && project) {
+        assembly_->scene.sim.solver = project->scene.solver;
+        controller_.setScene(assembly_->scene.sim, nullptr, {}, true);
+      }
+      return true;
+    case model::Aspect::Light:
+      if (project) controller_.setView(toSun(project->scene.light), static_cast<float>(project->scene.light.strength));
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SceneFeed::usesLeaf(model::AssetId leaf) const {
+  const std::optional<model::Project> project = source_();
+  return project && std::any_of(project->plants.begin(), project->plants.end(), [&](const model::Plant& plant) {
+           return std::find(plant.leaves.begin(), plant.leaves.end(), leaf) != plant.leaves.end();
+         });
+}
+
+bool SceneFeed::movesOnly(const model::Project& project) const {
+  return std::equal(project.scene.trees.begin(), project.scene.trees.end(), placements_.begin(), placements_.end(),
+                    [](const model::TreePlacement& a, const model::TreePlacement& b) {
+                      return a.id == b.id && a.plant == b.plant && a.scale == b.scale;
+                    });
+}
+
+void SceneFeed::place(const model::Project& project) {
+  bool moved = false;
+  for (std::size_t i = 0; i < assembly_->scene.trees.size(); ++i) {
+    const model::TreePlacement* tree = project.tree(assembly_->scene.trees[i]);
+    if (tree == nullptr) continue;
+    sim::Placement& placement = assembly_->scene.sim.trees[i].placement;
+    const sim::Placement wanted = toPlacement(*tree);
+    moved = moved || wanted.position != placement.position || wanted.heading != placement.heading;
+    placement = wanted;
+  }
+  placements_ = project.scene.trees;
+  // A standing simulation shows the poses it was left with, which are those of the old places: it starts anew.
+  if (moved) controller_.setScene(assembly_->scene.sim, nullptr, {}, controller_.isPlaying());
+}
+
+void SceneFeed::passTrees(model::AssetId plant) {
+  const std::optional<model::Project> project = source_();
+  if (!assembly_ || !project) return;
+  const auto loaded = assembly_->scene.plants.find(plant);
+  const model::Plant* edited = project->plant(plant);
+  if (loaded == assembly_->scene.plants.end() || edited == nullptr) return;
+  for (std::size_t i = 0; i < assembly_->scene.trees.size(); ++i) {
+    const model::TreePlacement* tree = project->tree(assembly_->scene.trees[i]);
+    if (tree == nullptr || tree->plant != plant) continue;
+    auto& instance = assembly_->scene.sim.trees[i];
+    instance.tree = model::withEdits(*instance.tree, *loaded->second.geometry, *loaded->second.bodies, edited->edits);
+    controller_.setTree(i, instance.tree);
+  }
+}
+
+void SceneFeed::passSettings(const model::Project& project) {
+  const model::Scene& scene = project.scene;
+  controller_.setView(toSun(scene.light), static_cast<float>(scene.light.strength));
+  if (!assembly_) return;
+  if (scene.wind != assembly_->scene.sim.wind) controller_.setWind(scene.wind);
+  if (scene.leaves != assembly_->scene.sim.leaves) controller_.setLeaves(scene.leaves);
+}
+
+std::vector<mat4> SceneFeed::restPose() const {
+  std::vector<mat4> pose;
+  pose.reserve(capsules_.size());
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const sim::Placement& placement = assembly_->scene.sim.trees[i].placement;
+    const mat4 matrix = glm::rotate(glm::translate(mat4(1), placement.position), placement.heading, vec3(0, 1, 0));
+    pose.insert(pose.end(), spans_[i].linkCount, matrix);
+  }
+  return pose;
+}
+
+std::vector<std::uint32_t> SceneFeed::linksOf(const std::vector<model::AssetId>& trees) const {
+  std::vector<std::uint32_t> links;
+  for (const TreeSpan& span : spans_) {
+    if (std::find(trees.begin(), trees.end(), span.tree) == trees.end()) continue;
+    for (std::size_t i = 0; i < span.linkCount; ++i) links.push_back(static_cast<std::uint32_t>(span.firstLink + i));
+  }
+  return links;
+}
+
+}  // namespace windfall::widgets
