@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/wind_loops.h"
+
 namespace windfall::sim {
 
 namespace {
 constexpr double kKeySpacing = 0.125;  // s between evaluations: 1.5 m at 12 m/s, about a cell
 constexpr float kSmallestCell = 1.5f;  // m
 constexpr float kMostNodes = 4096;
+constexpr std::size_t kPiece = 64;  // nodes that a thread takes at once
 constexpr float kMostSpeed = 1000;  // m/s
 constexpr float kFading = 1;        // s from the end of the wind to calm
 
@@ -76,13 +79,6 @@ void WindField::restore(const WindAnchor& anchor) {
   valid_ = false;
 }
 
-vec3 WindField::place(std::size_t node) const {
-  const std::size_t nx = static_cast<std::size_t>(nx_), ny = static_cast<std::size_t>(ny_);
-  const vec3 index(static_cast<float>(node % nx), static_cast<float>(node / nx % ny),
-                   static_cast<float>(node / (nx * ny)));
-  return origin_ + index * spacing_;
-}
-
 void WindField::evaluate(std::vector<vec4>& nodes, std::int64_t key, std::size_t begin, std::size_t end) const {
   const WindMoment m = moment(static_cast<double>(key) * kKeySpacing);
   if (m.calm <= 0 || m.speed <= 0) {
@@ -90,8 +86,13 @@ void WindField::evaluate(std::vector<vec4>& nodes, std::int64_t key, std::size_t
               vec4(0));
     return;
   }
-#pragma omp parallel for schedule(static) num_threads(threads_) if (end - begin > 64)
-  for (std::size_t i = begin; i < end; ++i) nodes[i] = vec4(windVelocity(m, place(i)), 0);
+  const WindLattice lattice{nx_, ny_, origin_, spacing_};
+  const std::size_t pieces = (end - begin + kPiece - 1) / kPiece;
+#pragma omp parallel for schedule(static) num_threads(threads_) if (pieces > 1)
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const std::size_t first = begin + piece * kPiece;
+    windRange(m, lattice, first, std::min(first + kPiece, end), nodes.data());
+  }
 }
 
 void WindField::advance(double time) {

@@ -47,7 +47,6 @@ class WindField {
 
  private:
   void evaluate(std::vector<vec4>& nodes, std::int64_t key, std::size_t begin, std::size_t end) const;
-  vec3 place(std::size_t node) const;
 
   WindSettings settings_;
   WindAnchor anchor_;

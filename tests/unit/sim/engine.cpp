@@ -176,6 +176,51 @@ TEST_CASE("when the wind ends the tree comes to rest") {
   CHECK(s.kineticEnergy + s.elasticEnergy < 0.01 * peak);
 }
 
+TEST_CASE("leaves come loose, are counted, and their tree grows lighter") {
+  SceneDescription description = scene(14);
+  description.leaves.count = 400;
+  description.leaves.season = 1;
+  const auto engine = make(description);
+  Statistics s = engine->statistics();
+  CHECK(engine->leafCount() == 400);
+  CHECK(s.attached == 400);
+  CHECK(s.landed == 0);
+  run(*engine, 20 * 60);
+  s = engine->statistics();
+  CHECK(s.attached + s.airborne + s.grounded == 400);
+  CHECK(s.attached < 200);
+  CHECK(s.grounded > 0);
+  CHECK(s.landed >= s.grounded);
+  CHECK(s.fallTimeSum / static_cast<double>(s.landed) > 0.5);
+
+  // The state goes on with the same bits after leaves fell and masses changed.
+  const auto other = make(description);
+  REQUIRE(other->restore(engine->save()));
+  CHECK(other->hash() == engine->hash());
+  run(*engine, 90);
+  run(*other, 90);
+  CHECK(other->hash() == engine->hash());
+
+  // Without leaves the wind has less to push at.
+  SceneDescription green = description;
+  green.leaves.season = 0;
+  const auto leafy = make(green);
+  run(*leafy, 20 * 60);
+  CHECK(leafy->statistics().attached == 400);
+  double bare = 0, full = 0;
+  for (int i = 0; i < 10 * 60; ++i) {
+    engine->step();
+    leafy->step();
+    bare += static_cast<double>(engine->statistics().tipDisplacement);
+    full += static_cast<double>(leafy->statistics().tipDisplacement);
+  }
+  CHECK(bare < 0.9 * full);
+
+  engine->reset();
+  CHECK(engine->statistics().attached == 400);
+  CHECK(engine->hash() == make(description)->hash());
+}
+
 TEST_CASE("ten times a storm keeps the tree in bounds") {
   SceneDescription description = scene(80);
   for (const float stiffness : {1.f, 0.01f, 100.f}) {

@@ -134,6 +134,21 @@ TEST_CASE("the lattice depends on the time alone, not on the steps that led ther
   CHECK(std::equal(a.velocity, a.velocity + nodes, b.velocity));
 }
 
+TEST_CASE("the lattice has the bits of the field's formula on any instruction set") {
+  WindSettings settings;
+  settings.speed = 9;
+  WindField wind(kLower, kUpper, settings, 2);
+  wind.advance(0.25);
+  const WindView view = wind.view();
+  const vec3 cell = (kUpper - kLower) / vec3(view.nx - 1, view.ny - 1, view.nz - 1);
+  for (int z = 0; z < view.nz; ++z) {
+    const int x = z % view.nx, y = z % view.ny;
+    const vec3 place = kLower + vec3(x, y, z) * cell;
+    const vec4 node = view.velocity[(z * view.ny + y) * view.nx + x];
+    CHECK(vec3(node) == wind.velocity(place, 0.25));
+  }
+}
+
 TEST_CASE("the lattice follows the field") {
   WindSettings settings;
   settings.speed = 8;

@@ -1,0 +1,16 @@
+#include "kernels/wind_loops.h"
+
+#include "kernels/targets.h"
+
+namespace windfall {
+
+WINDFALL_TARGETS void windRange(const WindMoment& wind, const WindLattice& lattice, std::size_t begin, std::size_t end,
+                                vec4* nodes) {
+  const std::size_t nx = static_cast<std::size_t>(lattice.nx), ny = static_cast<std::size_t>(lattice.ny);
+  for (std::size_t i = begin; i < end; ++i) {
+    const vec3 index(static_cast<float>(i % nx), static_cast<float>(i / nx % ny), static_cast<float>(i / (nx * ny)));
+    nodes[i] = vec4(windVelocity(wind, lattice.origin + index * lattice.spacing), 0);
+  }
+}
+
+}  // namespace windfall
