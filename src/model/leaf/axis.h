@@ -15,8 +15,9 @@ struct LeafAxis {
   Polygon petiole;  ///< from its free end to the root; empty where there is none
 };
 
-/// The petiole is what a wide opening removes and what keeps its width to the end; without one the root is the blunter
-/// end of the long axis. A given root wins (leaf_textures.md, 2).
+/// The petiole is what an opening takes away and what keeps its width, is thin and joins the blade abruptly; without
+/// one the root is the blunter end of a long blade, or the low border point near the middle of a round one. A given
+/// root wins (leaf_textures.md, 2).
 LeafAxis findAxis(const QImage& mask, const Polygon& border, std::optional<QPointF> givenRoot);
 
 }  // namespace windfall::model
