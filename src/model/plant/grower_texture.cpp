@@ -57,16 +57,16 @@ QImage barkTexture(quint64 seed) {
       // Long plates with ragged borders, fine fissures inside them, lichen and grain on top.
       const float bendX = 0.035f * noise(seed, u * 6, v * 10, 6, 10) + 0.012f * noise(seed + 7, u * 20, v * 32, 20, 32);
       const float bendY = 0.03f * noise(seed + 8, u * 8, v * 12, 8, 12);
-      const float border = plates(seed + 1, (u + bendX) * 9, (v + bendY) * 6, 9, 6);
-      const float fine = plates(seed + 2, (u + bendX) * 22, (v + bendY) * 11, 22, 11);
-      const float plate = std::clamp((border - 0.04f) / 0.3f, 0.0f, 1.0f);
-      const float split = 0.55f + 0.45f * std::clamp(fine / 0.22f, 0.0f, 1.0f);
+      const float border = plates(seed + 1, (u + bendX) * 13, (v + bendY) * 5, 13, 5);
+      const float fine = plates(seed + 2, (u + bendX) * 31, (v + bendY) * 9, 31, 9);
+      const float plate = std::sqrt(std::clamp(border / 0.42f, 0.0f, 1.0f));
+      const float split = 0.72f + 0.28f * std::clamp(fine / 0.3f, 0.0f, 1.0f);
       const float grain =
           0.6f * noise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) + 0.4f * noise(seed + 5, u * 128, v * 256, 128, 256);
       const float tone = 0.5f + 0.5f * noise(seed + 9, u * 4, v * 6, 4, 6);
       const float lichen = std::clamp(noise(seed + 6, u * 7, v * 13, 7, 13) * 1.6f - 0.5f, 0.0f, 1.0f);
       const float height = std::clamp(plate * split + 0.07f * grain, 0.0f, 1.0f);
-      const vec3 deep(44, 37, 31), raised(126, 112, 96), light(148, 138, 124), pale(146, 152, 128);
+      const vec3 deep(58, 49, 41), raised(126, 112, 96), light(148, 138, 124), pale(146, 152, 128);
       const vec3 top = raised + (light - raised) * tone;
       vec3 color = deep + (top - deep) * height;
       color += (pale - color) * (0.4f * lichen * plate);

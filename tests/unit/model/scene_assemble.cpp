@@ -51,6 +51,7 @@ class SceneAssembleTest : public QObject {
   void settingsGoToTheSimulation();
   void brokenScenesNameWhatIsWrong();
   void layersFollowTheKeptVariants();
+  void treesWithoutLeavesGetAPaintedOne();
 };
 
 void SceneAssembleTest::treesOfOnePlantShareIt() {
@@ -130,6 +131,20 @@ void SceneAssembleTest::layersFollowTheKeptVariants() {
   QCOMPARE(plan.ofPlant.at({21}).count, 3);
   QCOMPARE(plan.ofPlant.at({22}).first, 1);
   QCOMPARE(planLayers(Project{}).layers.size(), std::size_t(1));
+}
+
+void SceneAssembleTest::treesWithoutLeavesGetAPaintedOne() {
+  Progress progress;
+  const auto assembly = assembleScene(projectWithTwoTrees(), progress);
+  QVERIFY2(assembly, assembly ? "" : assembly.error().message.c_str());
+  QCOMPARE(assembly->leafTextures.size(), std::size_t(1));
+  const LeafTexture& leaf = assembly->leafTextures[0];
+  QVERIFY(leaf.image.width() > 64 && leaf.image.height() > leaf.image.width());
+  QCOMPARE(qAlpha(leaf.image.pixel(0, 0)), 0);
+  QCOMPARE(qAlpha(leaf.image.pixel(leaf.image.width() / 2, leaf.image.height() / 2)), 255);
+  // The petiole's end lies at the bottom.
+  QVERIFY(leaf.pivot.y() > 0.7 && std::abs(leaf.pivot.x() - 0.5) < 0.3);
+  QVERIFY(leaf.metres.height() > 0.07 && leaf.metres.height() < 0.2);
 }
 
 WINDFALL_SUITE(SceneAssembleTest)
