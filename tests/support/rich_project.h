@@ -42,7 +42,7 @@ inline model::Project richProject() {
   leaf.veins = {{1, -1, {{1, 2}, {3.7, 4.1}}, 4.2, 0.7}, {2, 0, {{5, 6}, {7, 8}, {9, 1e-9}}, 2, 1}};
   leaf.markers = {{3, 4}, {5.5, 6.25}};
   leaf.bladeLength = 0.123456789012345;
-  leaf.parameters = {2.5, {18446744073709551615ULL, 11, 70.1, 30.2, 5}, {2, 5, 9}, {512, 1000, 5, 0.1}};
+  leaf.parameters = {2.5, {18446744073709551615ULL, 11, 70.1, 30.2, 5}, {2, 5, 9}, {false, 512, 1000, 5, 0.1}};
   leaf.variants = {{9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2)},
                    {7, true, QImage()}};
   Leaf bare;
