@@ -61,7 +61,7 @@ inline model::Project richProject() {
   Plant file;
   file.id = {6};
   file.name = QStringLiteral("From file");
-  file.file = {QStringLiteral("birch.FBX"), QByteArray("not a real tree \0\xff", 18)};
+  file.file = {QStringLiteral("birch.FBX"), QByteArrayLiteral("not a real tree \0\xff")};
   project.plants = {grown, file};
 
   project.scene.trees = {{{7}, "One", {5}, {0.1f, 0, -3.3f}, 12.5, 1.25}, {{8}, "Two", {6}, {1, 2, 3}, -90, 0.5}};
@@ -70,7 +70,7 @@ inline model::Project richProject() {
   project.scene.solver = {1.f / 120, 0.05f};
   project.scene.light = {200.2, 12.3, 1.5};
   project.scene.seed = 18446744073709551614ULL;
-  project.simulation = {17.1, QByteArray("\0\1\2 state of links and leaves", 31)};
+  project.simulation = {17.1, QByteArrayLiteral("\0\1\2 state of links and leaves")};
   project.view.workspace = QStringLiteral("leaf");
   project.view.camera = {{1, 2.5f, 3}, -10, 20.5, 30.1, 50};
   project.view.layout = {{"docks", "AAAA/w=="}, {"zoom", 1.1}, {"open", QJsonArray{"leaf", 3}}};

@@ -10,7 +10,9 @@ namespace {
 constexpr DeclareCommand kCommands[] = {
     declareAtlas,
     declareBench,
+    declareCheck,
     declareLeaf,
+    declareNew,
     declarePlant,
     declareSimulate,
 };
