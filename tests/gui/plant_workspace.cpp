@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
+#include "support/gltf_fixture.h"
 #include "support/suite.h"
 #include "support/workspace_window.h"
 #include "widgets/fields/choice_field.h"
@@ -226,6 +227,66 @@ class PlantWorkspaceTest : public QObject {
     QCOMPARE(document_->project().plant(plant_)->leaves, std::vector{id});
     document_->undoStack().undo();
     QVERIFY(!box->value());
+  }
+
+  void chosenBranchIsLitUpAndNothingElseChanges() {
+    const std::size_t link = visibleLimbLink();
+    const QImage before = workspace_->viewport().grabFramebuffer();
+    clickLink(link);
+    const QImage after = workspace_->viewport().grabFramebuffer();
+    QCOMPARE(after.size(), before.size());
+    int changed = 0;
+    bool isChangedThere = false;
+    for (int y = 0; y < after.height(); ++y) {
+      for (int x = 0; x < after.width(); ++x) {
+        const QRgb a = before.pixel(x, y), b = after.pixel(x, y);
+        if (std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) + std::abs(qBlue(a) - qBlue(b)) < 24)
+          continue;
+        ++changed;
+        isChangedThere = isChangedThere || (QPoint(x, y) - screenPlace(link)).manhattanLength() < 5;
+      }
+    }
+    QVERIFY(isChangedThere);
+    QVERIFY2(changed < after.width() * after.height() / 20, qPrintable(QString::number(changed)));
+  }
+
+  void importedFileBecomesAPlantATreeAndIsShown() {
+    document_->open({}, {});
+    QTemporaryDir folder;
+    const QString path = folder.filePath("Twig.glb");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(test::GltfFixture().glb());
+    file.close();
+    QVERIFY(!workspace_->openFile(folder.filePath("Twig.txt")));
+    QVERIFY(workspace_->openFile(path));
+    jobs_->waitForAll();
+    QCOMPARE(document_->project().plants.size(), std::size_t{1});
+    QCOMPARE(document_->project().plants.front().name, "Twig");
+    QCOMPARE(document_->project().scene.trees.size(), std::size_t{1});
+    QVERIFY(window_->settle());
+    QCOMPARE(workspace_->feed().capsules().size(), std::size_t{2});
+    QCOMPARE(field<InfoField>("plant.source")->value(), "Twig.glb");
+    document_->undoStack().undo();
+    QVERIFY(document_->project().plants.empty());
+    QVERIFY(document_->project().scene.trees.empty());
+  }
+
+  void brokenFileIsRefusedWithItsName() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("Broken.glb");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("this is no tree");
+    file.close();
+    QSignalSpy failed(jobs_.get(), &model::JobRunner::failed);
+    QVERIFY(workspace_->openFile(path));
+    jobs_->waitForAll();
+    QCOMPARE(failed.size(), 1);
+    QVERIFY(failed.front().at(0).toString().contains("Broken.glb"));
+    QVERIFY(!failed.front().at(1).toString().isEmpty());
+    QCOMPARE(document_->project().plants.size(), std::size_t{1});
+    QVERIFY(!document_->isModified());
   }
 
   void viewIsSavedAndComesBack() {

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,7 @@
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/dial_field.h"
 #include "widgets/fields/number_field.h"
+#include "widgets/fields/preset_field.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
@@ -99,6 +101,7 @@ class SceneWorkspaceTest : public QObject {
     QCOMPARE(workspace_->feed().spans().size(), std::size_t{2});
     QVERIFY(field<InfoField>("device.name")->value().startsWith("CPU"));
     QVERIFY(!field<InfoField>("device.renderer")->value().isEmpty());
+    QCOMPARE(field<QToolButton>("deviceButton")->text(), field<InfoField>("device.name")->value());
     QVERIFY(!document_->isModified());
     window_->grab().save(test::outputFolder() + "/scene_workspace.png");
   }
@@ -150,6 +153,23 @@ class SceneWorkspaceTest : public QObject {
     QCOMPARE(speed->value(), 10.0);
     workspace_->controller().describe(view);
     QVERIFY(std::abs(glm::length(view.wind) - 10) < 1e-4f);
+  }
+
+  void presetSetsTheWindAtOnceAndKeepsItsDirection() {
+    auto* preset = field<PresetField>("wind.preset");
+    QVERIFY(preset->isMixed());
+    QVERIFY(preset->presets().size() > 2);
+    emit field<DialField>("wind.direction")->edited(180, true);
+    preset->setValue(3);
+    emit preset->edited(3, true);
+    QVERIFY(scene().wind.speed != 10);
+    QVERIFY(std::abs(scene().wind.direction.z - 1) < 1e-6f);
+    QVERIFY(!preset->isMixed());
+    QCOMPARE(preset->value(), 3);
+    QCOMPARE(field<NumberField>("wind.speed")->value(), double(scene().wind.speed));
+    document_->undoStack().undo();
+    QCOMPARE(scene().wind.speed, 10.f);
+    QVERIFY(preset->isMixed());
   }
 
   void orbitChangesTheCameraAndIsNoEdit() {

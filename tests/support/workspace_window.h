@@ -30,6 +30,7 @@ class WorkspaceWindow : public QMainWindow {
     column->addWidget(workspace.strip());
     setCentralWidget(middle);
     workspace.fillMenu(*menuBar()->addMenu(workspace.title()));
+    if (QWidget* corner = workspace.corner()) menuBar()->setCornerWidget(corner);
     for (QAction* tool : workspace.tools()) addAction(tool);
   }
 

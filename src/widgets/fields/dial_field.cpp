@@ -103,6 +103,7 @@ DialField::DialField(const QString& label, double defaultValue, bool compass, QW
   box_->setSuffix(QStringLiteral("°"));
   box_->setFixedWidth(kNumberWidth);
   row()->addWidget(dial_);
+  setMinimumHeight(dial_->height());
   row()->addStretch(1);
   row()->addWidget(box_);
   closeRow();

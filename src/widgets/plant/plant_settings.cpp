@@ -7,10 +7,22 @@
 
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
+#include "widgets/fields/preset_field.h"
 
 namespace windfall::widgets {
 
 using model::GrowerSettings;
+
+namespace {
+
+/// The defaults, with the seed kept: it says which plant, not what kind.
+GrowerSettings fresh(const GrowerSettings& now) {
+  GrowerSettings settings;
+  settings.seed = now.seed;
+  return settings;
+}
+
+}  // namespace
 
 PlantSettings::PlantSettings(model::Document& document, FieldPanel& panel, QObject* parent)
     : QObject(parent), document_(document) {
@@ -41,6 +53,12 @@ PlantSettings::PlantSettings(model::Document& document, FieldPanel& panel, QObje
   frequency_ = info_->add(new InfoField(tr("First sway")));
 
   grower_ = panel.addGroup("grower", tr("Growth"));
+  preset_ = grower_->add(new PresetField("grower"));
+  preset_->setObjectName("grower.preset");
+  connect(preset_, &PresetField::edited, this, [this](int index) {
+    const auto choose = [&](GrowerSettings& g) { g = preset_->chosen(index, g, fresh(g)); };
+    edit(choose, tr("Choose a kind of growth"), {});
+  });
   seed_ = grower_->add(new SeedField(tr("Seed")));
   seed_->setObjectName("grower.seed");
   connect(seed_, &SeedField::edited, this, [this](quint64 value) {
@@ -152,6 +170,7 @@ void PlantSettings::show(model::AssetId shown, const model::LoadedPlant& loaded)
   leaves_->setVisible(plant != nullptr);
   if (plant == nullptr) return;
   if (plant->grower) {
+    preset_->show(*plant->grower, fresh(*plant->grower));
     seed_->setValue(plant->grower->seed);
     for (const auto& showField : shows_) showField(*plant->grower);
   }

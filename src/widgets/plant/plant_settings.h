@@ -15,6 +15,7 @@ class CheckField;
 class ChoiceField;
 class InfoField;
 class NumberField;
+class PresetField;
 class SeedField;
 struct NumberSpec;
 
@@ -51,6 +52,7 @@ class PlantSettings : public QObject {
   std::vector<model::AssetId> plants_;
   ChoiceField* choice_;
   FieldGroup *grower_, *info_, *leaves_;
+  PresetField* preset_;
   SeedField* seed_;
   std::vector<std::function<void(const model::GrowerSettings&)>> shows_;
   InfoField *source_, *bones_, *height_, *mass_, *frequency_;

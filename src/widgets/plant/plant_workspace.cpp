@@ -27,14 +27,14 @@ constexpr float kCalmSeason = 0;  // leaves stay on while branches are tuned
 Result<model::Plant> readPlant(const QString& path, model::Progress& progress) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) {
-    return Error{QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), file.errorString()).toStdString()};
+    return Error{file.errorString().toStdString()};
   }
   model::Plant plant;
   plant.name = QFileInfo(path).completeBaseName();
   plant.file = {QFileInfo(path).fileName(), file.readAll()};
   Result<model::PlantGeometry> geometry = model::loadGeometry(plant, progress);
   if (geometry) return plant;
-  return Error{plant.file.name.toStdString() + ": " + geometry.error().message, geometry.error().cancelled};
+  return geometry.error();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kKept = 90;      // values of history
 constexpr std::size_t kAveraged = 15;  // of them, for the number shown
-constexpr int kCellWidth = 112, kLeastCell = 84, kHeight = 64;
+constexpr int kCellWidth = 112, kLeastCell = 92, kHeight = 64;
 
 }  // namespace
 
@@ -67,12 +67,11 @@ void HistoryPlot::paintCell(QPainter& painter, const QRectF& cell, std::size_t i
   const QFontMetricsF metrics(font());
   const QRectF text(cell.left(), cell.top(), cell.width(), metrics.height());
   painter.setPen(look.muted);
-  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, names_.at(static_cast<qsizetype>(index)));
-  if (!history_.empty()) {
-    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter,
-                     tr("%1 %").arg(QLocale().toString(share(index) * 100, 'f', 0)));
-  }
-
+  const QString part = history_.empty() ? QString() : tr("%1 %").arg(QLocale().toString(share(index) * 100, 'f', 0));
+  const double room = cell.width() - metrics.horizontalAdvance(part) - kGrid;
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                   metrics.elidedText(names_.at(static_cast<qsizetype>(index)), Qt::ElideRight, room));
+  painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, part);
   const QRectF plot(cell.left(), text.bottom() + kGrid, cell.width(), cell.bottom() - text.bottom() - 2 * kGrid);
   if (plot.height() < kGrid) return;
   painter.setPen(Qt::NoPen);

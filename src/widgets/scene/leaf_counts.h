@@ -13,7 +13,7 @@ class LeafCounts : public QWidget {
   explicit LeafCounts(QWidget* parent = nullptr);
   void show(const sim::Statistics& statistics);
   QSize sizeHint() const override { return {280, 64}; }
-  QSize minimumSizeHint() const override { return {192, 44}; }
+  QSize minimumSizeHint() const override { return {228, 44}; }
 
  protected:
   void paintEvent(QPaintEvent*) override;

@@ -8,6 +8,7 @@
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/dial_field.h"
 #include "widgets/fields/number_field.h"
+#include "widgets/fields/preset_field.h"
 
 namespace windfall::widgets {
 namespace {
@@ -63,6 +64,21 @@ void SceneInspector::addWind() {
   using Wind = sim::WindSettings;
   const auto part = &model::Scene::wind;
   FieldGroup* group = addGroup("wind", tr("Wind"));
+  auto* preset = group->add(new PresetField("wind"));
+  keep("wind.preset", preset);
+  // Where it blows to, when it ends and its seed belong to the scene, not to a kind of wind.
+  const auto fresh = [](const Wind& now) {
+    Wind wind;
+    wind.direction = now.direction;
+    wind.until = now.until;
+    wind.seed = now.seed;
+    return wind;
+  };
+  connect(preset, &PresetField::edited, this, [this, preset, part, fresh](int index) {
+    const Wind& now = document_.project().scene.wind;
+    document_.setScene(part, preset->chosen(index, now, fresh(now)), model::Aspect::Wind, tr("Choose a kind of wind"));
+  });
+  shows_.push_back([preset, fresh](const model::Scene& scene) { preset->show(scene.wind, fresh(scene.wind)); });
   number<Wind>(
       group, "wind.speed", tr("Speed"),
       {.maximum = 25, .defaultValue = 5, .decimals = 1, .unit = "m/s", .hardMaximum = 60}, part, model::Aspect::Wind,

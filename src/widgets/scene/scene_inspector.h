@@ -67,7 +67,6 @@ class SceneInspector : public FieldPanel {
   std::vector<QWidget*> treeRows_;
   QPushButton* addTree_ = nullptr;
   ChoiceField* plant_ = nullptr;
-  ChoiceField* device_ = nullptr;
   InfoField *deviceName_ = nullptr, *rendererName_ = nullptr;
   QLabel* deviceProblem_ = nullptr;
   std::vector<model::AssetId> plants_;

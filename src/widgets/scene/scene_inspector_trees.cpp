@@ -134,19 +134,6 @@ void SceneInspector::showTrees() {
 
 void SceneInspector::addDevice() {
   FieldGroup* group = addGroup("device", tr("Device"));
-  QStringList names{tr("Automatic")};
-  std::vector<sim::Device> devices{sim::Device::Auto};
-  for (const sim::DeviceInfo& info : sim::devices()) {
-    devices.push_back(info.device);
-    names << QString::fromStdString(info.name);
-  }
-  device_ = group->add(new ChoiceField(tr("Simulate on"), names, 0));
-  keep("device.choice", device_);
-  connect(device_, &ChoiceField::edited, this, [this, devices](int index) {
-    if (index >= 0 && index < static_cast<int>(devices.size())) {
-      controller_.setDevice(devices[static_cast<std::size_t>(index)]);
-    }
-  });
   deviceName_ = group->add(new InfoField(tr("Runs on")));
   keep("device.name", deviceName_);
   rendererName_ = group->add(new InfoField(tr("Drawn by")));

@@ -8,6 +8,7 @@
 
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
+#include "widgets/scene/device_button.h"
 #include "widgets/scene/history_plot.h"
 #include "widgets/scene/leaf_counts.h"
 #include "widgets/scene/scene_inspector.h"
@@ -22,7 +23,8 @@ SceneWorkspace::SceneWorkspace(const WorkspaceContext& context, QObject* parent)
             [this] { return std::optional<model::Project>(context_.document.project()); }),
       viewport_(new Viewport),
       inspector_(new SceneInspector(context.document, selection_, controller_)),
-      strip_(new QWidget) {
+      strip_(new QWidget),
+      device_(new DeviceButton(controller_)) {
   viewport_->setObjectName("sceneViewport");
   viewport_->setSource(&controller_);
   viewport_->setBounds([this] { return boundsOfTrees(true); }, [this] { return boundsOfTrees(false); });

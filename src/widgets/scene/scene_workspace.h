@@ -33,6 +33,7 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   QList<QAction*> tools() override;
   void fillMenu(QMenu& menu) override;
   void add() override { addTree(); }
+  QWidget* corner() override { return device_; }
   void activate() override;
   void deactivate() override;
   void show(model::AssetId asset) override;
@@ -70,7 +71,7 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   TurnTreesTool turn_{*this};
   QPointer<Viewport> viewport_;  ///< may go before the workspace, with its window
   SceneInspector* inspector_;
-  QWidget* strip_;
+  QWidget *strip_, *device_;
   Transport* transport_ = nullptr;
   HistoryPlot* timers_ = nullptr;
   LeafCounts* counts_ = nullptr;

@@ -153,7 +153,7 @@ void Viewport::initializeGL() {
     renderer_ = std::move(*renderer);
     setProblem({});
   } else {
-    setProblem(QString::fromStdString(renderer.error().message));
+    setProblem(tr("The 3-D view %1").arg(QString::fromStdString(renderer.error().message)));
   }
 }
 
