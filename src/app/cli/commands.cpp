@@ -14,6 +14,7 @@ constexpr DeclareCommand kCommands[] = {
     declareLeaf,
     declareNew,
     declarePlant,
+    declareRender,
     declareSimulate,
 };
 }  // namespace

@@ -11,6 +11,7 @@ void declareCheck(CLI::App& app, Action& action);
 void declareLeaf(CLI::App& app, Action& action);
 void declareNew(CLI::App& app, Action& action);
 void declarePlant(CLI::App& app, Action& action);
+void declareRender(CLI::App& app, Action& action);
 void declareSimulate(CLI::App& app, Action& action);
 
 }  // namespace windfall::app
