@@ -15,6 +15,7 @@ constexpr DeclareCommand kCommands[] = {
     declareNew,
     declarePlant,
     declareSimulate,
+    declareShot,
 };
 }  // namespace
 

@@ -12,5 +12,6 @@ void declareLeaf(CLI::App& app, Action& action);
 void declareNew(CLI::App& app, Action& action);
 void declarePlant(CLI::App& app, Action& action);
 void declareSimulate(CLI::App& app, Action& action);
+void declareShot(CLI::App& app, Action& action);
 
 }  // namespace windfall::app

@@ -36,9 +36,10 @@ ImagePane::ImagePane(QWidget* parent) : QWidget(parent) {
 }
 
 void ImagePane::setBase(MipImage base) {
-  const bool otherSize = base.size() != base_.size();
+  // A view that was set before the picture came (a reopened project) stays.
+  const bool keep = base.size() == base_.size() || (base_.isNull() && !fitted_);
   base_ = std::move(base);
-  if (otherSize) fit();
+  if (!keep) fit();
   update();
 }
 

@@ -74,6 +74,10 @@ MainWindow::MainWindow(WorkspaceContext context, QWidget* parent)
 
 MainWindow::~MainWindow() {
   if (current_) current_->deactivate();
+  current_ = nullptr;
+  // Before the widgets that they made and still speak to.
+  for (const Tab& tab : tabs_) delete tab.workspace;
+  tabs_.clear();
 }
 
 void MainWindow::addWorkspace(Workspace* workspace) {

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
 
@@ -20,6 +21,7 @@ MessageBar::MessageBar(QWidget* parent)
       icon_(new QLabel(this)),
       label_(new QLabel(this)),
       close_(new QToolButton(this)),
+      button_(new QPushButton(this)),
       fade_(new QTimer(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * kGrid, 0, 0, 0);
@@ -33,14 +35,22 @@ MessageBar::MessageBar(QWidget* parent)
   close_->setToolTip(tr("Dismiss"));
   row->addWidget(icon_);
   row->addWidget(label_, 1);
+  row->addWidget(button_);
   row->addWidget(close_);
+  button_->setIconSize({14, 14});
   fade_->setSingleShot(true);
+  connect(button_, &QPushButton::clicked, this, [this] {
+    const std::function<void()> accept = accept_;
+    dismiss();
+    if (accept) accept();
+  });
   connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
   connect(fade_, &QTimer::timeout, this, &MessageBar::dismiss);
   dismiss();
 }
 
 void MessageBar::showMessage(const QString& text, bool isError) {
+  dismiss();
   text_ = text;
   error_ = isError;
   icon_->show();
@@ -53,7 +63,18 @@ void MessageBar::showMessage(const QString& text, bool isError) {
   }
 }
 
+void MessageBar::offer(const QString& text, const QString& button, std::function<void()> accept) {
+  showMessage(text, false);
+  fade_->stop();
+  accept_ = std::move(accept);
+  button_->setText(button);
+  button_->show();
+  layOut();
+}
+
 void MessageBar::dismiss() {
+  accept_ = {};
+  button_->hide();
   text_.clear();
   error_ = false;
   fade_->stop();
@@ -68,7 +89,8 @@ void MessageBar::layOut() {
     icon_->setPixmap(iconPixmap(error_ ? QStringLiteral("warning") : QStringLiteral("info"), 16,
                                 error_ ? c.error : c.accent, devicePixelRatioF()));
   }
-  label_->setText(label_->fontMetrics().elidedText(text_, Qt::ElideRight, std::max(40, width() - 64)));
+  label_->setText(label_->fontMetrics().elidedText(
+      text_, Qt::ElideRight, std::max(40, width() - 64 - (button_->isHidden() ? 0 : button_->sizeHint().width() + 8))));
   label_->setToolTip(label_->text() == text_ ? QString() : text_);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 class QLabel;
+class QPushButton;
 class QTimer;
 class QToolButton;
 
@@ -16,7 +18,10 @@ class MessageBar : public QWidget {
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void showMessage(const QString& text, bool isError);
+  /// A note with something to do about it; stays until it is answered or dismissed.
+  void offer(const QString& text, const QString& button, std::function<void()> accept);
   void dismiss();
+  QPushButton* offerButton() const { return button_; }
   /// The whole text, also where the line is cut; empty when nothing is shown.
   QString text() const { return text_; }
   bool isError() const { return error_; }
@@ -32,6 +37,8 @@ class MessageBar : public QWidget {
   bool error_ = false;
   QLabel *icon_, *label_;
   QToolButton* close_;
+  QPushButton* button_;
+  std::function<void()> accept_;
   QTimer* fade_;
 };
 
