@@ -11,6 +11,7 @@
 #include "app/cli/command.h"
 #include "app/log.h"
 #include "model/document/autosave.h"
+#include "model/sample/sample_project.h"
 #include "widgets/leaf/leaf_workspace.h"
 #include "widgets/main_window/message_bar.h"
 #include "widgets/main_window/project_files.h"
@@ -25,6 +26,7 @@ Editor::Editor() : jobs_(std::make_unique<model::JobRunner>()) {
   window_ = std::make_unique<MainWindow>(context);
   // The tabs, in the order of the work.
   window_->addWorkspace(new widgets::LeafWorkspace(context, window_.get()));
+  window_->files().setSampleMaker([](model::Progress& progress) { return model::sampleProject(progress); });
   window_->start();
 }
 

@@ -1,12 +1,9 @@
 #include "widgets/leaf/leaf_jobs.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QJsonDocument>
-#include <QSaveFile>
 
-#include "model/leaf/atlas.h"
+#include "model/export/exporter.h"
 
 namespace windfall::widgets {
 
@@ -96,43 +93,15 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
   connect(job, &model::Job::finished, this, [this] { emit variantsChanged(false); });
 }
 
-void LeafJobs::exportAtlas(const QString& folder) {
-  std::vector<Leaf> leaves = document_.project().leaves;
-  std::erase_if(leaves, [](const Leaf& leaf) {
-    return std::none_of(leaf.variants.begin(), leaf.variants.end(), [](const auto& variant) { return variant.keep; });
-  });
-  if (leaves.empty()) {
-    emit message(tr("Nothing to export yet: make variants and keep some with the heart"), true);
-    return;
-  }
+void LeafJobs::exportAtlas(const QString& path) {
+  const model::Exporter* exporter = model::findExporter(QStringLiteral("atlas"));
+  if (!exporter) return;
   jobs_.start<QString>(
-      tr("Exporting the atlas"), QStringLiteral("atlas"),
-      [leaves = std::move(leaves), folder](model::Progress& progress) -> Result<QString> {
-        std::vector<model::LeafTexture> textures;
-        for (const Leaf& leaf : leaves) {
-          const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Contour, progress);
-          if (!stages) return stages.error();
-          for (const model::Variant& variant : leaf.variants) {
-            if (!variant.keep) continue;
-            if (progress.cancelled()) return Error{"cancelled", true};
-            const double scale = double(variant.image.width()) / stages->photo.width();
-            textures.push_back(model::uprightTexture(leaf.name + QLatin1Char('-') + QString::number(variant.seed),
-                                                     variant.image, stages->root * scale, stages->tip * scale,
-                                                     leaf.bladeLength));
-          }
-        }
-        const Result<model::Atlas> atlas = model::packAtlas(std::move(textures), {});
-        if (!atlas) return atlas.error();
-        const QDir target(folder);
-        QSaveFile picture(target.filePath(QStringLiteral("atlas.png")));
-        QSaveFile description(target.filePath(QStringLiteral("atlas.json")));
-        const QByteArray json = QJsonDocument(model::describe(*atlas)).toJson();
-        if (!picture.open(QIODevice::WriteOnly) || !atlas->image.save(&picture, "PNG") ||
-            !description.open(QIODevice::WriteOnly) || description.write(json) != json.size() || !picture.commit() ||
-            !description.commit()) {
-          return Error{tr("%1 can't be written").arg(folder).toStdString()};
-        }
-        return folder;
+      tr("Exporting %1").arg(QFileInfo(path).fileName()), QStringLiteral("atlas"),
+      [project = document_.project(), exporter, path](model::Progress& progress) -> Result<QString> {
+        const Status written = exporter->write(project, {}, path, {}, progress);
+        if (!written) return written.error();
+        return path;
       },
       [this](const QString& written) { emit message(tr("Atlas written to %1").arg(written), false); });
 }

@@ -23,8 +23,8 @@ class LeafJobs : public QObject {
   /// Appends `count` new textures, with seeds after the largest there is. `known`: stages up to the superpixels if they
   /// are up to date, else null.
   void makeVariants(model::AssetId leaf, int count, const model::LeafStages* known);
-  /// Packs the kept variants of all leaves and writes atlas.png and atlas.json into `folder`.
-  void exportAtlas(const QString& folder);
+  /// Packs the kept variants of all leaves into `path` and its description beside it.
+  void exportAtlas(const QString& path);
 
  signals:
   void photoOpened(windfall::model::AssetId leaf);

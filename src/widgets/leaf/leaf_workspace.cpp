@@ -27,7 +27,7 @@ using model::Stage;
 
 namespace {
 const QString kPhotoFolder = QStringLiteral("photoFolder");
-const QString kAtlasFolder = QStringLiteral("atlasFolder");
+const QString kAtlasFile = QStringLiteral("atlasFile");
 }  // namespace
 
 LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
@@ -228,11 +228,15 @@ bool LeafWorkspace::openFile(const QString& path) {
 }
 
 void LeafWorkspace::exportResult(bool elsewhere) {
-  QString folder = QSettings().value(kAtlasFolder).toString();
-  if (elsewhere || folder.isEmpty()) folder = QFileDialog::getExistingDirectory(window_, tr("Export Atlas"), folder);
-  if (folder.isEmpty()) return;
-  QSettings().setValue(kAtlasFolder, folder);
-  jobs_->exportAtlas(folder);
+  QString path = QSettings().value(kAtlasFile).toString();
+  if (elsewhere || path.isEmpty()) {
+    path = QFileDialog::getSaveFileName(window_, tr("Export Atlas"), path.isEmpty() ? tr("atlas.png") : path,
+                                        tr("Pictures (%1)").arg(QStringLiteral("*.png")));
+  }
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+  QSettings().setValue(kAtlasFile, path);
+  jobs_->exportAtlas(path);
 }
 
 QJsonObject LeafWorkspace::saveView() const {

@@ -86,7 +86,8 @@ void MainWindow::buildDocks() {
     openWorkspace(QStringLiteral("plant"));
     if (current_) current_->add();
   });
-  begin(tr("Open the sample"), QStringLiteral("windfall"), false, [this] { files_->openSample(); });
+  sampleButton_ = welcome_->addButton(tr("Open the sample"), QStringLiteral("windfall"));
+  connect(sampleButton_, &QPushButton::clicked, this, [this] { files_->openSample(); });
   begin(tr("Open a project…"), QStringLiteral("open"), false, [this] { files_->open(); });
   connect(welcome_, &EmptyState::linkActivated, files_, &ProjectFiles::openPath);
   canvases_->addWidget(welcome_);
@@ -110,7 +111,7 @@ void MainWindow::buildDocks() {
   // The strip below the canvas only: the inspector needs the height.
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   resizeDocks({assetDock_, inspectorDock_}, {220, 520}, Qt::Vertical);
-  resizeDocks({inspectorDock_}, {320}, Qt::Horizontal);
+  resizeDocks({inspectorDock_}, {344}, Qt::Horizontal);
   resizeDocks({stripDock_}, {176}, Qt::Vertical);
 }
 
@@ -147,7 +148,7 @@ void MainWindow::buildMenus() {
   add(file, tr("&Open…"), QStringLiteral("open"), {QKeySequence::Open}, [this] { files_->open(); });
   QMenu* recent = file->addMenu(icon(QStringLiteral("clock")), tr("Open &Recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(*recent); });
-  add(file, tr("Open the Sam&ple"), QStringLiteral("windfall"), {}, [this] { files_->openSample(); });
+  sampleAction_ = add(file, tr("Open the Sam&ple"), QStringLiteral("windfall"), {}, [this] { files_->openSample(); });
   file->addSeparator();
   add(file, tr("&Save"), QStringLiteral("save"), {QKeySequence(QStringLiteral("Ctrl+S"))}, [this] { files_->save(); });
   add(file, tr("Save &As…"), {}, {QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, [this] { files_->saveAs(); });
@@ -178,9 +179,8 @@ void MainWindow::buildMenus() {
   add(viewMenu_, tr("Show or Hide &Docks"), QStringLiteral("eye"), {}, [this] {
     toggleDocks();
   })->setToolTip(tr("Tab, while the canvas has the focus"));
-  QAction* full = add(viewMenu_, tr("&Full Screen"), QStringLiteral("frame"), {QKeySequence(Qt::Key_F11)},
-                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-  Q_UNUSED(full);
+  add(viewMenu_, tr("&Full Screen"), QStringLiteral("frame"), {QKeySequence(Qt::Key_F11)},
+      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   viewMenu_->addSeparator();
   add(viewMenu_, tr("Da&rk"), {}, {}, [this] { setScheme(Scheme::Dark); });
   add(viewMenu_, tr("&Light"), QStringLiteral("sun"), {}, [this] { setScheme(Scheme::Light); });

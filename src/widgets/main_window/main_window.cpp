@@ -10,6 +10,7 @@
 #include <QLayout>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolBar>
@@ -124,6 +125,8 @@ void MainWindow::addWorkspace(Workspace* workspace) {
 
 void MainWindow::start() {
   defaultDocks_ = saveState(kStateVersion);
+  sampleAction_->setVisible(files_->hasSample());
+  sampleButton_->setVisible(files_->hasSample());
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   for (Tab& tab : tabs_) {

@@ -10,6 +10,7 @@
 
 class QActionGroup;
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 class QToolBar;
 class QToolButton;
@@ -98,7 +99,8 @@ class MainWindow : public QMainWindow {
   Dock *assetDock_ = nullptr, *inspectorDock_ = nullptr, *stripDock_ = nullptr;
   QLabel *title_ = nullptr, *status_ = nullptr;
   QMenu *viewMenu_ = nullptr, *windowMenu_ = nullptr;
-  QAction* firstAfterWorkspaces_ = nullptr;
+  QAction *firstAfterWorkspaces_ = nullptr, *sampleAction_ = nullptr;
+  QPushButton* sampleButton_ = nullptr;
   std::vector<Dock*> hidden_;  ///< by Tab
   QByteArray defaultDocks_;
 };
