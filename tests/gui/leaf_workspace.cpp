@@ -215,7 +215,10 @@ class LeafWorkspaceTest : public QObject {
     const QRect heart = VariantDelegate::heartOf(list->visualItemRect(list->item(1)));
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, heart.center());
     QVERIFY(!shown().variants[1].keep);
+    QSignalSpy opened(&leaf_->variants(), &VariantStrip::opened);
+    QCOMPARE(list->itemAt(list->visualItemRect(list->item(2)).center()), list->item(2));
     QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(2)).center());
+    QCOMPARE(opened.size(), 1);
     QVERIFY(editor_->settle(60));
     QCOMPARE(pane_->overlay().size(), shown().variants[2].image.size());
     shot("leaf_variants.png");

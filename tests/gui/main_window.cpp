@@ -40,6 +40,9 @@ class MainWindowTest : public QObject {
   void dropFile(const QString& path) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window(), &enter);
+    QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&window(), &drop);
   }
@@ -148,7 +151,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(leaf().pane().base().size(), QSize(480, 640));
   }
 
-  void adroppedFileThatIsNoPictureChangesNothing() {
+  void aDroppedFileThatIsNoPictureChangesNothing() {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("broken.png"));
     QFile file(path);

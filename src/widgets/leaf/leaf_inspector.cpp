@@ -77,6 +77,13 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
   cost(tr("Through tissue"), &model::DistanceCosts::tissueTissue);
 
   FieldGroup* synthesis = addGroup(QStringLiteral("synthesis"), tr("Synthesis"));
+  auto* method = synthesis->add(
+      new ChoiceField(tr("Method"), {tr("Classic"), tr("Guided by veins")}, defaults.synthesis.guided ? 1 : 0));
+  method->setToolTip(tr("Classic draws superpixels by region and distance; guided lays patches along the veins"));
+  connect(method, &ChoiceField::edited, this,
+          [this, method](int index) { edit(method, [index](LeafParameters& p) { p.synthesis.guided = index == 1; }); });
+  refreshers_.push_back(
+      [method](const model::Leaf& leaf) { method->setValue(leaf.parameters.synthesis.guided ? 1 : 0); });
   number(
       synthesis, tr("Texture size"),
       {.minimum = 128,
