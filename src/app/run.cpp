@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
+#include "app/editor.h"
 
 namespace windfall::app {
 
@@ -15,8 +16,15 @@ int run(int argc, char** argv) {
   declareCommands(cli, action);
   std::string project;
   cli.add_option("PROJECT", project, "Project to open in the editor");
-  bool verbose = false;
-  cli.add_flag("--verbose", verbose, "Say what is being done on standard error");
+  EditorOptions editor;
+  cli.add_flag("--verbose", editor.verbose, "Say what is being done on standard error");
+  // How `windfall shot` starts the window in a process with a display; not for people.
+  std::string shotFile, shotWorkspace;
+  int shotWidth = 0, shotHeight = 0;
+  cli.add_option("--shot-file", shotFile)->group("");
+  cli.add_option("--shot-workspace", shotWorkspace)->group("");
+  cli.add_option("--shot-width", shotWidth)->group("");
+  cli.add_option("--shot-height", shotHeight)->group("");
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -32,7 +40,9 @@ int run(int argc, char** argv) {
     QGuiApplication application(argc, argv);
     return action();
   }
-  return 0;
+  editor.project = text(project);
+  editor.shot = {text(shotFile), text(shotWorkspace), QSize(shotWidth, shotHeight)};
+  return runEditor(argc, argv, editor);
 }
 
 }  // namespace windfall::app

@@ -16,6 +16,7 @@ constexpr DeclareCommand kCommands[] = {
     declarePlant,
     declareRender,
     declareSimulate,
+    declareShot,
 };
 }  // namespace
 

@@ -13,5 +13,6 @@ void declareNew(CLI::App& app, Action& action);
 void declarePlant(CLI::App& app, Action& action);
 void declareRender(CLI::App& app, Action& action);
 void declareSimulate(CLI::App& app, Action& action);
+void declareShot(CLI::App& app, Action& action);
 
 }  // namespace windfall::app

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QImage>
+#include <QKeySequence>
 #include <QPointF>
 #include <QRect>
 #include <QString>
 #include <Qt>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/document/document.h"
+#include "model/leaf/stages.h"
 
 class QPainter;
 
@@ -33,6 +36,9 @@ class ToolHost {
   virtual model::AssetId leaf() const = 0;
   /// Mask as shown now: the artist's, or the automatic one.
   virtual QImage currentMask() const = 0;
+  /// Root and region markers as used now: the artist's, or the automatic ones. Null and empty until they are computed.
+  virtual std::optional<QPointF> currentRoot() const = 0;
+  virtual std::vector<QPointF> currentMarkers() const = 0;
   /// Draws an unfinished stroke without touching the document; a null image ends it.
   virtual void previewMask(const QImage& mask, QRect dirty) = 0;
   /// Photo pixels that a screen pixel covers, for handles and hit tests.
@@ -48,6 +54,13 @@ class Tool {
   virtual QString help() const = 0;   ///< one translated line for the status bar
   virtual QKeySequence shortcut() const = 0;
   virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
+  /// The stage whose picture the tool works on; it is shown when the tool is chosen.
+  virtual std::optional<model::Stage> stage() const { return {}; }
+  /// A drag moves the picture instead of reaching the tool.
+  virtual bool pans() const { return false; }
+  /// Diameter in photo pixels; 0: the tool has no size.
+  virtual double size() const { return 0; }
+  virtual void setSize(double) {}
 
   virtual void press(const ToolEvent&, ToolHost&) {}
   virtual void move(const ToolEvent&, ToolHost&) {}

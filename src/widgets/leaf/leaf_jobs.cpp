@@ -1,0 +1,109 @@
+#include "widgets/leaf/leaf_jobs.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include "model/export/exporter.h"
+
+namespace windfall::widgets {
+
+using model::Aspect;
+using model::AssetId;
+using model::Leaf;
+
+QStringList photoEndings() {
+  return {QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("webp"),
+          QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("bmp")};
+}
+
+LeafJobs::LeafJobs(model::Document& document, model::JobRunner& jobs, QObject* parent)
+    : QObject(parent), document_(document), jobs_(jobs) {}
+
+void LeafJobs::openPhoto(const QString& path, AssetId replace) {
+  const QString file = QFileInfo(path).fileName();
+  jobs_.start<model::SourceFile>(
+      tr("Opening %1").arg(file), QStringLiteral("photo:") + path,
+      [path, file](model::Progress&) -> Result<model::SourceFile> {
+        QFile source(path);
+        if (!source.open(QIODevice::ReadOnly)) return Error{source.errorString().toStdString()};
+        model::SourceFile photo{file, source.readAll()};
+        // Decoded once here, so that what can't be read never becomes a leaf.
+        const Result<QImage> image = model::readPhoto(photo);
+        if (!image) return image.error();
+        return photo;
+      },
+      [this, path, replace](model::SourceFile photo) {
+        if (replace) {
+          document_.setLeaf(replace, &Leaf::photo, std::move(photo), Aspect::LeafPhoto, tr("Replace photo"));
+          emit photoOpened(replace);
+          return;
+        }
+        Leaf leaf;
+        leaf.name = QFileInfo(path).completeBaseName();
+        leaf.photo = std::move(photo);
+        emit photoOpened(document_.addLeaf(std::move(leaf)));
+      });
+}
+
+void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* known) {
+  const Leaf* leaf = document_.project().leaf(id);
+  if (!leaf) return;
+  quint64 seed = 0;
+  for (const model::Variant& variant : leaf->variants) seed = std::max(seed, variant.seed);
+  Leaf snapshot = *leaf;
+  snapshot.variants.clear();
+  std::shared_ptr<const model::LeafStages> stages;
+  if (known) stages = std::make_shared<model::LeafStages>(*known);
+  emit variantsChanged(true);
+  model::Job* job = jobs_.start<std::vector<model::Variant>>(
+      tr("Making %n variants of %1", nullptr, count).arg(leaf->name), QStringLiteral("variants"),
+      [snapshot = std::move(snapshot), stages, seed,
+       count](model::Progress& progress) -> Result<std::vector<model::Variant>> {
+        // The stages take about as long as one texture.
+        const double parts = count + (stages ? 0 : 1);
+        double done = 0;
+        model::LeafStages own;
+        if (!stages) {
+          Result<model::LeafStages> made = model::computeStages(snapshot, model::Stage::Superpixels, progress);
+          if (!made) return made.error();
+          own = std::move(*made);
+          done = 1;
+        }
+        const model::LeafStages& of = stages ? *stages : own;
+        std::vector<model::Variant> variants;
+        for (int i = 0; i < count; ++i) {
+          progress.report(done / parts);
+          if (progress.cancelled()) return Error{"cancelled", true};
+          const quint64 mine = seed + 1 + quint64(i);
+          Result<QImage> image = model::synthesize(of, of, snapshot.parameters.synthesis, mine, progress);
+          if (!image) return image.error();
+          variants.push_back({mine, true, std::move(*image)});
+          done += 1;
+        }
+        return variants;
+      },
+      [this, id](std::vector<model::Variant> made) {
+        const Leaf* now = document_.project().leaf(id);
+        if (!now) return;
+        const int added = int(made.size());
+        std::vector<model::Variant> variants = now->variants;
+        for (model::Variant& variant : made) variants.push_back(std::move(variant));
+        document_.setLeaf(id, &Leaf::variants, variants, Aspect::LeafVariants, tr("Make %n variants", nullptr, added));
+      });
+  connect(job, &model::Job::finished, this, [this] { emit variantsChanged(false); });
+}
+
+void LeafJobs::exportAtlas(const QString& path) {
+  const model::Exporter* exporter = model::findExporter(QStringLiteral("atlas"));
+  if (!exporter) return;
+  jobs_.start<QString>(
+      tr("Exporting %1").arg(QFileInfo(path).fileName()), QStringLiteral("atlas"),
+      [project = document_.project(), exporter, path](model::Progress& progress) -> Result<QString> {
+        const Status written = exporter->write(project, {}, path, {}, progress);
+        if (!written) return written.error();
+        return path;
+      },
+      [this](const QString& written) { emit message(tr("Atlas written to %1").arg(written), false); });
+}
+
+}  // namespace windfall::widgets

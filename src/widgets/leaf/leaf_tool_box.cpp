@@ -1,0 +1,109 @@
+#include "widgets/leaf/leaf_tool_box.h"
+
+#include <cmath>
+
+#include "widgets/look/icon.h"
+
+namespace windfall::widgets {
+
+LeafToolBox::LeafToolBox(model::Document& document, LeafPictures& pictures, ImagePane& pane, QObject* parent)
+    : QObject(parent), document_(document), pictures_(pictures), pane_(pane), tools_(makeLeafTools()) {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    const Tool& tool = *tools_[i];
+    auto* action = new QAction(icon(tool.id()), tool.title(), this);
+    action->setCheckable(true);
+    action->setShortcut(tool.shortcut());
+    action->setToolTip(tr("%1 (%2)\n%3").arg(tool.title(), tool.shortcut().toString(), tool.help()));
+    connect(action, &QAction::triggered, this, [this, i] { chooseIndex(i); });
+    actions_ << action;
+  }
+  actions_.first()->setChecked(true);
+  const auto here = [this] { return pictures_.leaf() && !pane_.base().isNull(); };
+  connect(&pane_, &ImagePane::pressed, this, [this, here](const ToolEvent& event) {
+    if (!here()) return;
+    const std::optional<model::Stage> stage = current().stage();
+    if (stage && pictures_.wanted() != *stage) emit stageNeeded(*stage);
+    current().press(event, *this);
+  });
+  connect(&pane_, &ImagePane::moved, this, [this, here](const ToolEvent& event) {
+    if (here()) current().move(event, *this);
+  });
+  connect(&pane_, &ImagePane::released, this, [this, here](const ToolEvent& event) {
+    if (here()) current().release(event, *this);
+  });
+  connect(&pane_, &ImagePane::cancelled, this, &LeafToolBox::cancel);
+  pane_.setToolPainter([this](QPainter& painter) {
+    if (pictures_.leaf()) current().paint(painter, *this);
+  });
+  chooseIndex(0);
+}
+
+LeafToolBox::~LeafToolBox() { pane_.setToolPainter({}); }
+
+Tool* LeafToolBox::tool(const QString& id) const {
+  for (const auto& tool : tools_) {
+    if (tool->id() == id) return tool.get();
+  }
+  return nullptr;
+}
+
+void LeafToolBox::choose(const QString& id) {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (tools_[i]->id() == id) chooseIndex(i);
+  }
+}
+
+void LeafToolBox::chooseIndex(std::size_t index) {
+  cancel();
+  current_ = index;
+  for (qsizetype i = 0; i < actions_.size(); ++i) actions_[i]->setChecked(std::size_t(i) == index);
+  pane_.setToolCursor(current().cursor(), current().pans());
+  pane_.update();
+  if (const std::optional<model::Stage> stage = current().stage()) emit stageNeeded(*stage);
+  emit toolChanged();
+}
+
+void LeafToolBox::cancel() { current().cancel(*this); }
+
+void LeafToolBox::resizeTool(int direction) {
+  const double size = current().size();
+  if (size > 0) setToolSize(direction > 0 ? std::max(size + 1, size * 1.1) : std::min(size - 1, size / 1.1));
+}
+
+void LeafToolBox::setToolSize(double size) {
+  // Brush and eraser keep one size, as most painters' programs do.
+  for (const auto& tool : tools_) {
+    if (tool->size() > 0) tool->setSize(size);
+  }
+  pane_.update();
+  emit toolChanged();
+}
+
+std::optional<QPointF> LeafToolBox::currentRoot() const {
+  const model::Leaf* shown = pictures_.leaf();
+  if (shown && shown->root) return shown->root;
+  const model::LeafStages* stages = pictures_.stages();
+  if (stages && stages->reached >= model::Stage::Contour) return stages->root;
+  return {};
+}
+
+std::vector<QPointF> LeafToolBox::currentMarkers() const {
+  const model::Leaf* shown = pictures_.leaf();
+  if (shown && !shown->markers.empty()) return shown->markers;
+  const model::LeafStages* stages = pictures_.stages();
+  return stages ? stages->markers : std::vector<QPointF>();
+}
+
+void LeafToolBox::previewMask(const QImage& mask, QRect dirty) {
+  if (pictures_.wanted() != model::Stage::Mask) return;
+  const QImage shown = mask.isNull() ? pictures_.mask() : mask;
+  const QRect part = dirty & shown.rect();
+  if (part.isEmpty()) return;
+  if (pane_.overlay().size() != shown.size()) {
+    pane_.setOverlay(MipImage(LeafPictures::maskTint(shown, shown.rect())));
+  } else {
+    pane_.replaceOverlay(LeafPictures::maskTint(shown, part), part.topLeft());
+  }
+}
+
+}  // namespace windfall::widgets

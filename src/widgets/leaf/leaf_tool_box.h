@@ -1,0 +1,56 @@
+// The tools of the leaf workspace at work: actions to choose them, the pane's events to the chosen one.
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "widgets/leaf/image_pane.h"
+#include "widgets/leaf/leaf_pictures.h"
+#include "widgets/tools/tool.h"
+
+namespace windfall::widgets {
+
+class LeafToolBox : public QObject, private ToolHost {
+  Q_OBJECT
+ public:
+  LeafToolBox(model::Document& document, LeafPictures& pictures, ImagePane& pane, QObject* parent = nullptr);
+  ~LeafToolBox() override;
+
+  QList<QAction*> actions() const { return actions_; }
+  Tool& current() const { return *tools_[current_]; }
+  Tool* tool(const QString& id) const;
+  void choose(const QString& id);
+  /// Ends a stroke without a trace.
+  void cancel();
+  /// [ and ]: a tenth larger or smaller, one pixel at least.
+  void resizeTool(int direction);
+  void setToolSize(double size);
+
+ signals:
+  void toolChanged();
+  /// The tool works on this stage: it should be seen.
+  void stageNeeded(windfall::model::Stage stage);
+
+ private:
+  void chooseIndex(std::size_t index);
+
+  model::Document& document() override { return document_; }
+  model::AssetId leaf() const override { return pictures_.leafId(); }
+  QImage currentMask() const override { return pictures_.mask(); }
+  std::optional<QPointF> currentRoot() const override;
+  std::vector<QPointF> currentMarkers() const override;
+  void previewMask(const QImage& mask, QRect dirty) override;
+  double pixelSize() const override { return 1 / pane_.zoom(); }
+  void requestUpdate() override { pane_.update(); }
+
+  model::Document& document_;
+  LeafPictures& pictures_;
+  ImagePane& pane_;
+  std::vector<std::unique_ptr<Tool>> tools_;
+  QList<QAction*> actions_;
+  std::size_t current_ = 0;
+};
+
+}  // namespace windfall::widgets

@@ -1,0 +1,271 @@
+#include "widgets/leaf/leaf_workspace.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "widgets/leaf/image_pane.h"
+#include "widgets/leaf/leaf_inspector.h"
+#include "widgets/leaf/leaf_jobs.h"
+#include "widgets/leaf/leaf_pictures.h"
+#include "widgets/leaf/leaf_tool_box.h"
+#include "widgets/leaf/stage_bar.h"
+#include "widgets/leaf/variant_strip.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/icon.h"
+
+namespace windfall::widgets {
+
+using model::Aspect;
+using model::AssetId;
+using model::Leaf;
+using model::Stage;
+
+namespace {
+const QString kPhotoFolder = QStringLiteral("photoFolder");
+const QString kAtlasFile = QStringLiteral("atlasFile");
+}  // namespace
+
+LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
+    : Workspace(window),
+      context_(context),
+      pictures_(new LeafPictures(context.document, context.jobs, this)),
+      jobs_(new LeafJobs(context.document, context.jobs, this)),
+      window_(window) {
+  buildCanvas(window);
+  inspector_ = new LeafInspector(context.document, window);
+  strip_ = new VariantStrip(context.document, window);
+  toolBox_ = new LeafToolBox(context.document, *pictures_, *pane_, this);
+
+  connect(toolBox_, &LeafToolBox::stageNeeded, this, &LeafWorkspace::setStage);
+  connect(toolBox_, &LeafToolBox::toolChanged, this, &LeafWorkspace::updateStatus);
+  connect(stageBar_, &StageBar::chosen, this, &LeafWorkspace::setStage);
+  connect(stageBar_, &StageBar::opacityChanged, this, [this] { updatePicture(); });
+  connect(pictures_, &LeafPictures::photoChanged, this, [this] {
+    pane_->setBase(pictures_->photo());
+    inspector_->setPhotoSize(pictures_->photo().size());
+    if (!pictures_->photo().isNull()) {
+      // A brush that fits the picture, whatever its size.
+      const QSize size = pictures_->photo().size();
+      toolBox_->setToolSize(std::max(4.0, std::max(size.width(), size.height()) / 32.0));
+    }
+  });
+  connect(pictures_, &LeafPictures::pictureChanged, this, &LeafWorkspace::updatePicture);
+  connect(pictures_, &LeafPictures::maskPartChanged, this, [this](QRect part) {
+    pane_->replaceOverlay(LeafPictures::maskTint(pictures_->mask(), part), part.topLeft());
+  });
+  connect(pictures_, &LeafPictures::statesChanged, this, &LeafWorkspace::updateStates);
+  connect(pane_, &ImagePane::pointed, this, [this](QPointF at) {
+    pointer_ = at;
+    updateStatus();
+  });
+  connect(pane_, &ImagePane::viewChanged, this, &LeafWorkspace::updateStatus);
+  connect(inspector_, &LeafInspector::replacePhotoRequested, this, [this] {
+    const QString path = askForPhoto(tr("Replace Photo"));
+    if (!path.isEmpty()) jobs_->openPhoto(path, leaf());
+  });
+  connect(strip_, &VariantStrip::makeRequested, this, &LeafWorkspace::makeVariants);
+  connect(strip_, &VariantStrip::opened, this, [this] { setStage(Stage::Variants); });
+  connect(strip_, &VariantStrip::chosen, this, [this] {
+    if (variantsShown_) updatePicture();
+  });
+  connect(jobs_, &LeafJobs::variantsChanged, strip_, &VariantStrip::setBusy);
+  connect(jobs_, &LeafJobs::message, this, &Workspace::message);
+  connect(jobs_, &LeafJobs::photoOpened, this, [this](AssetId id) {
+    show(id);
+    setStage(Stage::Mask);
+  });
+  connect(&context_.document, &model::Document::changed, this, [this](const model::Change& change) {
+    const std::vector<Leaf>& leaves = context_.document.project().leaves;
+    if (change.aspect == Aspect::Everything || !context_.document.project().leaf(leaf())) {
+      show(leaves.empty() ? AssetId() : leaves.front().id);
+    } else if (change.asset == leaf() && change.aspect == Aspect::LeafVariants && variantsShown_) {
+      updatePicture();
+    }
+  });
+  const std::vector<Leaf>& leaves = context_.document.project().leaves;
+  if (!leaves.empty()) show(leaves.front().id);
+  updateStates();
+}
+
+LeafWorkspace::~LeafWorkspace() = default;
+
+void LeafWorkspace::buildCanvas(QWidget* window) {
+  canvas_ = new QWidget(window);
+  auto* column = new QVBoxLayout(canvas_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  stageBar_ = new StageBar(canvas_);
+  stack_ = new QStackedWidget(canvas_);
+  auto* empty = new EmptyState(QStringLiteral("leaf"), tr("A leaf to begin with"),
+                               tr("Drop a photo of a leaf here. Windfall finds its outline and veins, and makes as "
+                                  "many new textures of it as you want."),
+                               stack_);
+  connect(empty->addButton(tr("Open a leaf photo…"), {}, true), &QPushButton::clicked, this, &LeafWorkspace::add);
+  pane_ = new ImagePane(stack_);
+  stack_->addWidget(empty);
+  stack_->addWidget(pane_);
+  column->addWidget(stageBar_);
+  column->addWidget(stack_, 1);
+  canvas_->setFocusProxy(pane_);
+}
+
+QWidget* LeafWorkspace::inspector() { return inspector_; }
+QWidget* LeafWorkspace::strip() { return strip_; }
+QList<QAction*> LeafWorkspace::tools() { return toolBox_->actions(); }
+AssetId LeafWorkspace::leaf() const { return pictures_->leafId(); }
+
+template <class T>
+void LeafWorkspace::resetMark(T Leaf::*mark, Aspect aspect, const QString& text) {
+  context_.document.setLeaf(leaf(), mark, T(), aspect, text);
+}
+
+void LeafWorkspace::fillMenu(QMenu& menu) {
+  const auto add = [&](const QString& text, const QString& iconName, const QString& keys, auto slot) {
+    QAction* action = menu.addAction(icon(iconName), text);
+    action->setShortcut(QKeySequence(keys));
+    connect(action, &QAction::triggered, this, slot);
+  };
+  add(tr("Open Leaf &Photo…"), QStringLiteral("photo"), QStringLiteral("Ctrl+Shift+O"), [this] { this->add(); });
+  menu.addSeparator();
+  menu.addActions(toolBox_->actions());
+  add(tr("Larger Brush"), {}, QStringLiteral("]"), [this] { toolBox_->resizeTool(1); });
+  add(tr("Smaller Brush"), {}, QStringLiteral("["), [this] { toolBox_->resizeTool(-1); });
+  menu.addSeparator();
+  add(tr("Zoom to 100 %"), QStringLiteral("search"), QStringLiteral("1"), [this] { pane_->setZoom(1); });
+  add(tr("Fit the Picture"), QStringLiteral("frame"), QStringLiteral("2"), [this] { pane_->fit(); });
+  add(tr("Fit the Width"), {}, QStringLiteral("3"), [this] { pane_->fitWidth(); });
+  menu.addSeparator();
+  add(tr("Automatic Mask"), QStringLiteral("mask"), {},
+      [this] { resetMark(&Leaf::mask, Aspect::LeafMask, tr("Automatic mask")); });
+  add(tr("Automatic Root"), QStringLiteral("root"), {},
+      [this] { resetMark(&Leaf::root, Aspect::LeafRoot, tr("Automatic root")); });
+  add(tr("Automatic Regions"), QStringLiteral("marker"), {},
+      [this] { resetMark(&Leaf::markers, Aspect::LeafMarkers, tr("Automatic regions")); });
+  menu.addSeparator();
+  add(tr("&Make Variants"), QStringLiteral("dice"), QStringLiteral("Ctrl+Return"),
+      [this] { strip_->makeButton()->click(); });
+  add(tr("Export &Atlas…"), QStringLiteral("atlas"), {}, [this] { exportResult(true); });
+}
+
+void LeafWorkspace::deactivate() { toolBox_->cancel(); }
+
+void LeafWorkspace::show(AssetId id) {
+  const bool another = id != leaf();
+  if (another) toolBox_->cancel();
+  pictures_->setLeaf(id);
+  inspector_->setLeaf(id);
+  strip_->setLeaf(id);
+  stack_->setCurrentIndex(context_.document.project().leaf(id) ? 1 : 0);
+  stageBar_->setEnabled(bool(context_.document.project().leaf(id)));
+  updateStates();
+  updatePicture();
+}
+
+void LeafWorkspace::setStage(Stage stage) {
+  stageBar_->setStage(stage);
+  variantsShown_ = stage == Stage::Variants;
+  pictures_->want(stage);
+  updatePicture();
+}
+
+void LeafWorkspace::updateStates() {
+  for (int i = int(Stage::Photo); i <= int(Stage::Variants); ++i) {
+    stageBar_->setState(Stage(i), pictures_->state(Stage(i)));
+  }
+  pane_->update();
+}
+
+void LeafWorkspace::updatePicture() {
+  const Leaf* shown = pictures_->leaf();
+  const bool alone = variantsShown_ && shown && !shown->variants.empty();
+  pane_->setBaseVisible(!alone);
+  if (alone) {
+    const int chosen = std::clamp(strip_->current(), 0, int(shown->variants.size()) - 1);
+    pane_->setOverlayOpacity(1);
+    pane_->setOverlay(MipImage(shown->variants[std::size_t(chosen)].image));
+    return;
+  }
+  pane_->setOverlayOpacity(stageBar_->opacity());
+  pane_->setOverlay(variantsShown_ ? MipImage() : pictures_->picture());
+}
+
+void LeafWorkspace::updateStatus() {
+  if (!pictures_->leaf()) return emit status({});
+  const QString zoom = tr("%1 %").arg(qRound(100 * pane_->zoom()));
+  const QString size =
+      toolBox_->current().size() > 0 ? tr("brush %1 px · ").arg(qRound(toolBox_->current().size())) : QString();
+  emit status(tr("%1%2, %3 px · %4").arg(size).arg(qRound(pointer_.x())).arg(qRound(pointer_.y())).arg(zoom));
+}
+
+void LeafWorkspace::makeVariants(int count) {
+  const bool ready = pictures_->isUpToDate(Stage::Superpixels);
+  jobs_->makeVariants(leaf(), count, ready ? pictures_->stages() : nullptr);
+}
+
+QString LeafWorkspace::askForPhoto(const QString& title) {
+  QStringList patterns;
+  for (const QString& ending : photoEndings()) patterns << QStringLiteral("*.") + ending;
+  const QString path = QFileDialog::getOpenFileName(window_, title, QSettings().value(kPhotoFolder).toString(),
+                                                    tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
+  if (!path.isEmpty()) QSettings().setValue(kPhotoFolder, QFileInfo(path).absolutePath());
+  return path;
+}
+
+void LeafWorkspace::add() {
+  const QString path = askForPhoto(tr("Open Leaf Photo"));
+  if (!path.isEmpty()) jobs_->openPhoto(path);
+}
+
+bool LeafWorkspace::openFile(const QString& path) {
+  if (!photoEndings().contains(QFileInfo(path).suffix().toLower())) return false;
+  jobs_->openPhoto(path);
+  return true;
+}
+
+void LeafWorkspace::exportResult(bool elsewhere) {
+  QString path = QSettings().value(kAtlasFile).toString();
+  if (elsewhere || path.isEmpty()) {
+    path = QFileDialog::getSaveFileName(window_, tr("Export Atlas"), path.isEmpty() ? tr("atlas.png") : path,
+                                        tr("Pictures (%1)").arg(QStringLiteral("*.png")));
+  }
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
+  QSettings().setValue(kAtlasFile, path);
+  jobs_->exportAtlas(path);
+}
+
+QJsonObject LeafWorkspace::saveView() const {
+  QJsonObject view{{QStringLiteral("leaf"), QString::number(leaf().value)},
+                   {QStringLiteral("stage"), int(variantsShown_ ? Stage::Variants : pictures_->wanted())},
+                   {QStringLiteral("opacity"), stageBar_->opacity()}};
+  if (!pane_->isFitted()) {
+    view[QStringLiteral("zoom")] = pane_->zoom();
+    view[QStringLiteral("x")] = pane_->center().x();
+    view[QStringLiteral("y")] = pane_->center().y();
+  }
+  return view;
+}
+
+void LeafWorkspace::restoreView(const QJsonObject& view) {
+  const AssetId id{view[QStringLiteral("leaf")].toString().toULongLong()};
+  if (context_.document.project().leaf(id)) show(id);
+  const int stage = view[QStringLiteral("stage")].toInt(-1);
+  if (stage >= 0 && stage <= int(Stage::Variants)) setStage(Stage(stage));
+  if (view.contains(QStringLiteral("opacity"))) stageBar_->setOpacity(view[QStringLiteral("opacity")].toDouble());
+  if (view.contains(QStringLiteral("zoom"))) {
+    pane_->setView(view[QStringLiteral("zoom")].toDouble(),
+                   {view[QStringLiteral("x")].toDouble(), view[QStringLiteral("y")].toDouble()});
+  }
+}
+
+bool LeafWorkspace::isSettled() const {
+  if (!pictures_->leaf()) return true;
+  return !pictures_->isComputing() && !pane_->base().isNull();
+}
+
+}  // namespace windfall::widgets

@@ -1,0 +1,75 @@
+// Leaf workspace: from the photo to new textures.
+#pragma once
+
+#include "model/leaf/stages.h"
+#include "widgets/workspace.h"
+
+class QStackedWidget;
+
+namespace windfall::widgets {
+
+class ImagePane;
+class LeafInspector;
+class LeafJobs;
+class LeafPictures;
+class LeafToolBox;
+class StageBar;
+class VariantStrip;
+
+class LeafWorkspace : public Workspace {
+  Q_OBJECT
+ public:
+  LeafWorkspace(WorkspaceContext context, QWidget* window);
+  ~LeafWorkspace() override;
+
+  QString id() const override { return QStringLiteral("leaf"); }
+  QString title() const override { return tr("Leaf"); }
+  QWidget* canvas() override { return canvas_; }
+  QWidget* inspector() override;
+  QWidget* strip() override;
+  QList<QAction*> tools() override;
+  void fillMenu(QMenu& menu) override;
+  void deactivate() override;
+  void show(model::AssetId leaf) override;
+  QJsonObject saveView() const override;
+  void restoreView(const QJsonObject& view) override;
+  bool isSettled() const override;
+  bool openFile(const QString& path) override;
+  void add() override;
+  void exportResult(bool elsewhere) override;
+
+  model::AssetId leaf() const;
+  void setStage(model::Stage stage);
+  ImagePane& pane() { return *pane_; }
+  StageBar& stageBar() { return *stageBar_; }
+  LeafPictures& pictures() { return *pictures_; }
+  LeafToolBox& toolBox() { return *toolBox_; }
+  VariantStrip& variants() { return *strip_; }
+  LeafInspector& numbers() { return *inspector_; }
+
+ private:
+  void buildCanvas(QWidget* window);
+  QString askForPhoto(const QString& title);
+  void updateStates();
+  void updatePicture();
+  void updateStatus();
+  void makeVariants(int count);
+  template <class T>
+  void resetMark(T model::Leaf::*mark, model::Aspect aspect, const QString& text);
+
+  WorkspaceContext context_;
+  LeafPictures* pictures_;
+  LeafJobs* jobs_;
+  QWidget* window_;
+  QWidget* canvas_;
+  QStackedWidget* stack_;
+  StageBar* stageBar_;
+  ImagePane* pane_;
+  LeafToolBox* toolBox_;
+  LeafInspector* inspector_;
+  VariantStrip* strip_;
+  QPointF pointer_;
+  bool variantsShown_ = false;
+};
+
+}  // namespace windfall::widgets

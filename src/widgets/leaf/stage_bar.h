@@ -1,0 +1,53 @@
+// Photo › Mask › Contour › …: where the work is, and what is shown.
+#pragma once
+
+#include <QAbstractButton>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/leaf/leaf_pictures.h"
+
+namespace windfall::widgets {
+
+class Slider;
+
+/// A stage's name with its dot: filled accent for automatic, a ring for edited by hand, orange for out of date.
+class StageChip : public QAbstractButton {
+  Q_OBJECT
+ public:
+  StageChip(const QString& title, QWidget* parent);
+  void setState(StageState state);
+  StageState state() const { return state_; }
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  StageState state_ = StageState::Unknown;
+};
+
+class StageBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StageBar(QWidget* parent = nullptr);
+  void setStage(model::Stage stage);
+  void setState(model::Stage stage, StageState state);
+  StageChip* chip(model::Stage stage) const { return chips_[std::size_t(stage)]; }
+  double opacity() const;
+  void setOpacity(double opacity);
+  static QString title(model::Stage stage);
+
+ signals:
+  void chosen(windfall::model::Stage stage);
+  void opacityChanged(double opacity);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  std::vector<StageChip*> chips_;
+  Slider* opacity_;
+};
+
+}  // namespace windfall::widgets

@@ -1,0 +1,66 @@
+#include "widgets/leaf/variant_delegate.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QPixmapCache>
+
+#include "widgets/look/icon.h"
+#include "widgets/look/look.h"
+
+namespace windfall::widgets {
+
+namespace {
+
+constexpr int kPicture = 96;  // px
+
+QPixmap thumbnail(const QImage& image, qreal ratio) {
+  const QString key = QStringLiteral("variant/%1/%2").arg(image.cacheKey()).arg(ratio);
+  QPixmap pixmap;
+  if (QPixmapCache::find(key, &pixmap)) return pixmap;
+  pixmap = QPixmap::fromImage(
+      image.convertToFormat(QImage::Format_ARGB32_Premultiplied)
+          .scaled(QSize(kPicture - 8, kPicture - 8) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  pixmap.setDevicePixelRatio(ratio);
+  QPixmapCache::insert(key, pixmap);
+  return pixmap;
+}
+
+}  // namespace
+
+QRect VariantDelegate::heartOf(const QRect& item) { return {item.right() - 27, item.bottom() - 22, 20, 20}; }
+
+void VariantDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const Colors& c = colors(option.palette);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const bool selected = option.state & QStyle::State_Selected;
+  const bool keep = index.data(kVariantKeep).toBool();
+  const QRect cell = option.rect.adjusted(3, 2, -3, -1);
+  painter->setPen(Qt::NoPen);
+  if (selected || option.state & QStyle::State_MouseOver) {
+    painter->setBrush(selected ? c.selected : c.hover);
+    painter->drawRoundedRect(cell, 6, 6);
+  }
+  QRect frame(cell.left() + (cell.width() - kPicture) / 2, cell.top() + 3, kPicture, kPicture);
+  painter->setBrush(c.canvas);
+  painter->drawRoundedRect(frame, 4, 4);
+  const QPixmap picture = thumbnail(index.data(kVariantImage).value<QImage>(), painter->device()->devicePixelRatioF());
+  QRectF at(QPointF(), picture.deviceIndependentSize());
+  at.moveCenter(QRectF(frame).center());
+  painter->setOpacity(keep ? 1 : 0.35);
+  painter->drawPixmap(at.topLeft(), picture);
+  painter->setOpacity(1);
+  painter->setPen(selected ? c.text : c.muted);
+  QFont small = option.font;
+  small.setPointSizeF(small.pointSizeF() * 0.9);
+  painter->setFont(small);
+  const QRect heart = heartOf(option.rect);
+  painter->drawText(QRect(frame.left() + 2, heart.top(), 70, heart.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                    QString::number(index.data(kVariantSeed).toULongLong()));
+  painter->drawPixmap(heart.adjusted(3, 3, -3, -3),
+                      iconPixmap(keep ? QStringLiteral("heart-filled") : QStringLiteral("heart"), 14,
+                                 keep ? c.accent : c.muted, painter->device()->devicePixelRatioF()));
+  painter->restore();
+}
+
+}  // namespace windfall::widgets

@@ -1,0 +1,243 @@
+// The window's frame: assets, palette, files, layout.
+#include <QApplication>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+#include "app/editor.h"
+#include "support/painted_leaf.h"
+#include "support/suite.h"
+#include "widgets/leaf/image_pane.h"
+#include "widgets/leaf/leaf_workspace.h"
+#include "widgets/leaf/stage_bar.h"
+#include "widgets/look/look.h"
+#include "widgets/main_window/asset_tree.h"
+#include "widgets/main_window/command_palette.h"
+#include "widgets/main_window/message_bar.h"
+#include "widgets/main_window/project_files.h"
+
+using namespace windfall;
+using namespace windfall::widgets;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<app::Editor> editor_;
+
+  MainWindow& window() { return editor_->window(); }
+  model::Document& document() { return editor_->document(); }
+  LeafWorkspace& leaf() { return *qobject_cast<LeafWorkspace*>(window().workspace(QStringLiteral("leaf"))); }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QWidget* focus = QApplication::focusWidget();
+    QTest::keyClick(focus ? focus : &window(), key, modifiers);
+  }
+  void dropFile(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window(), &drop);
+  }
+
+ private slots:
+  void initTestCase() { applyLook(*qApp, Scheme::Dark); }
+
+  void init() {
+    QSettings().clear();
+    editor_ = std::make_unique<app::Editor>();
+    window().resize(1440, 900);
+    window().show();
+    QVERIFY(QTest::qWaitForWindowActive(&window()));
+  }
+  void cleanup() { editor_.reset(); }
+
+  void anEmptyProjectSaysWhatToDoNext() {
+    QVERIFY(editor_->settle(30));
+    QVERIFY(window().grab().save(test::outputFolder() + "/window_welcome.png"));
+    const QList<QPushButton*> buttons = window().centralWidget()->findChildren<QPushButton*>();
+    QVERIFY(std::any_of(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+      return button->isVisible() && button->property("primary").toBool();
+    }));
+  }
+
+  void renamingInPlaceIsOneUndoStep() {
+    const model::AssetId id = document().addLeaf(test::paintedLeaf());
+    document().undoStack().clear();
+    AssetTree& assets = window().assets();
+    assets.select(id);
+    assets.setFocus();
+    QTest::keyClick(&assets, Qt::Key_F2);
+    auto* edit = assets.findChild<QLineEdit*>();
+    QVERIFY(edit);
+    QTest::keyClicks(edit, QStringLiteral("Oak of the lane"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    QTRY_COMPARE(document().project().leaf(id)->name, QStringLiteral("Oak of the lane"));
+    QCOMPARE(document().undoStack().count(), 1);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document().project().leaf(id)->name, QStringLiteral("painted"));
+    QCOMPARE(assets.itemOf(id)->text(0), QStringLiteral("painted"));
+  }
+
+  void aCheckBoxHangsALeafOnATree() {
+    const model::AssetId id = document().addLeaf(test::paintedLeaf());
+    model::Plant plant;
+    plant.name = QStringLiteral("birch");
+    plant.grower = model::GrowerSettings();
+    const model::AssetId birch = document().addPlant(plant);
+    QTreeWidgetItem* row = window().assets().leafRow(birch, id);
+    QVERIFY(row);
+    QCOMPARE(row->checkState(0), Qt::Unchecked);
+    row->setCheckState(0, Qt::Checked);
+    QTRY_COMPARE(document().project().plant(birch)->leaves, std::vector<model::AssetId>{id});
+    document().undoStack().undo();
+    QVERIFY(document().project().plant(birch)->leaves.empty());
+    QCOMPARE(window().assets().leafRow(birch, id)->checkState(0), Qt::Unchecked);
+  }
+
+  void assetsAreDuplicatedAndDeletedByKeys() {
+    const model::AssetId id = document().addLeaf(test::paintedLeaf());
+    AssetTree& assets = window().assets();
+    assets.select(id);
+    assets.setFocus();
+    QTest::keyClick(&assets, Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(document().project().leaves.size(), std::size_t(2));
+    QTest::keyClick(&assets, Qt::Key_Delete);
+    QCOMPARE(document().project().leaves.size(), std::size_t(1));
+    QVERIFY(editor_->settle(30));
+  }
+
+  void thePaletteFindsAndRunsAnAction() {
+    document().addLeaf(test::paintedLeaf());
+    window().openWorkspace(QStringLiteral("leaf"));
+    QVERIFY(editor_->settle(30));
+    press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    CommandPalette& palette = window().commands();
+    QVERIFY(palette.isVisible());
+    QTest::keyClicks(palette.input(), QStringLiteral("zm 100"));
+    QCOMPARE(palette.list()->currentItem()->text(), QStringLiteral("Zoom to 100 %"));
+    QVERIFY(window().grab().save(test::outputFolder() + "/window_palette.png"));
+    QTest::keyClick(palette.input(), Qt::Key_Return);
+    QVERIFY(!palette.isVisible());
+    QCOMPARE(leaf().pane().zoom(), 1.0);
+    press(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(palette.input(), Qt::Key_Escape);
+    QVERIFY(!palette.isVisible());
+  }
+
+  void fuzzySearchPrefersStartsOfWords() {
+    QVERIFY(CommandPalette::score(QStringLiteral("sa"), QStringLiteral("Save As")) >
+            CommandPalette::score(QStringLiteral("sa"), QStringLiteral("Mask eraser")));
+    QVERIFY(CommandPalette::score(QStringLiteral("xyz"), QStringLiteral("Save")) < 0);
+    QVERIFY(CommandPalette::score({}, QStringLiteral("Save")) >= 0);
+  }
+
+  void aDroppedPhotoBecomesALeaf() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("lime.png"));
+    QVERIFY(test::paintedLeafPhoto().save(path));
+    dropFile(path);
+    QTRY_COMPARE(document().project().leaves.size(), std::size_t(1));
+    QCOMPARE(document().project().leaves[0].name, QStringLiteral("lime"));
+    QVERIFY(editor_->settle(60));
+    QCOMPARE(window().current()->id(), QStringLiteral("leaf"));
+    QCOMPARE(leaf().pane().base().size(), QSize(480, 640));
+  }
+
+  void aDroppedFileThatIsNoPictureChangesNothing() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("broken.png"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("no picture at all");
+    file.close();
+    dropFile(path);
+    QTRY_VERIFY(window().messages().isError());
+    QVERIFY(window().messages().text().contains(QStringLiteral("broken.png")));
+    QVERIFY(document().project().leaves.empty());
+    dropFile(folder.filePath(QStringLiteral("what.xyz")));
+    QVERIFY(window().messages().text().startsWith(QStringLiteral("what.xyz")));
+  }
+
+  void savingAndReopeningKeepsMarksAndView() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("wood.windfall"));
+    const model::AssetId id = document().addLeaf(test::paintedLeaf());
+    window().openWorkspace(QStringLiteral("leaf"));
+    leaf().show(id);
+    leaf().setStage(model::Stage::Contour);
+    QVERIFY(editor_->settle(60));
+    document().setLeaf(id, &model::Leaf::root, std::optional<QPointF>(QPointF(250, 530)), model::Aspect::LeafRoot,
+                       QStringLiteral("root"));
+    leaf().pane().setView(2.5, {200, 300});
+    QVERIFY(window().isWindowModified());
+    QVERIFY(window().files().saveTo(path));
+    QVERIFY(!window().isWindowModified());
+    QVERIFY(window().windowTitle().startsWith(QStringLiteral("wood[*]")));
+
+    editor_ = std::make_unique<app::Editor>();
+    window().resize(1440, 900);
+    window().show();
+    window().files().openPath(path);
+    QTRY_COMPARE(document().project().leaves.size(), std::size_t(1));
+    QVERIFY(editor_->settle(60));
+    QCOMPARE(document().project().leaf(id)->root, std::optional<QPointF>(QPointF(250, 530)));
+    QCOMPARE(window().current()->id(), QStringLiteral("leaf"));
+    QCOMPARE(leaf().pane().zoom(), 2.5);
+    QCOMPARE(leaf().pane().center(), QPointF(200, 300));
+    QVERIFY(leaf().stageBar().chip(model::Stage::Contour)->isChecked());
+    QVERIFY(!window().isWindowModified());
+  }
+
+  void aProjectThatCannotBeReadChangesNothing() {
+    document().addLeaf(test::paintedLeaf());
+    document().undoStack().setClean();
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("bad.windfall"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("PK not really");
+    file.close();
+    window().files().openPath(path);
+    QTRY_VERIFY(window().messages().isError());
+    QCOMPARE(document().project().leaves.size(), std::size_t(1));
+  }
+
+  void tabHidesTheDocksWhileTheCanvasHasTheFocus() {
+    document().addLeaf(test::paintedLeaf());
+    window().openWorkspace(QStringLiteral("leaf"));
+    QVERIFY(editor_->settle(30));
+    leaf().pane().setFocus();
+    QVERIFY(window().assets().isVisible());
+    QTest::keyClick(&leaf().pane(), Qt::Key_Tab);
+    QVERIFY(!window().assets().isVisible());
+    QTest::keyClick(&leaf().pane(), Qt::Key_Tab);
+    QVERIFY(window().assets().isVisible());
+  }
+
+  void lookAtBothPalettes() {
+    const model::AssetId id = document().addLeaf(test::paintedLeaf());
+    window().openWorkspace(QStringLiteral("leaf"));
+    leaf().show(id);
+    leaf().setStage(model::Stage::Mask);
+    QVERIFY(editor_->settle(60));
+    window().messages().showMessage(QStringLiteral("atlas.png was not written: the disk is full"), true);
+    for (const Scheme scheme : {Scheme::Light, Scheme::Dark}) {
+      window().setScheme(scheme);
+      QVERIFY(editor_->settle(30));
+      QVERIFY(window().grab().save(test::outputFolder() +
+                                   (scheme == Scheme::Dark ? "/window_dark.png" : "/window_light.png")));
+      QCOMPARE(window().palette().color(QPalette::Window), colors(scheme).panel);
+    }
+  }
+};
+
+WINDFALL_SUITE(MainWindowTest)
+#include "main_window.moc"
