@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
   // Subcommands need pictures and fonts but no display.
   if (action) {
     // What is wrong is one line of ours; Qt's remarks about the machine or a picture's chunks are none.
-    if (!verbose) qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
+    if (!editor.verbose) qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     QGuiApplication application(argc, argv);
     return action();
