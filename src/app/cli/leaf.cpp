@@ -15,7 +15,7 @@ namespace windfall::app {
 namespace {
 
 struct LeafOptions {
-  std::string photo, output, mask, root, markers;
+  std::string photo, output, mask, root, markers, mode = "guided";
   std::vector<std::string> examples;
   int variants = 4;
   int size = 1024;
@@ -56,6 +56,7 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   leaf.photo = std::move(*source);
   leaf.name = QFileInfo(photo).completeBaseName();
   leaf.parameters.synthesis.size = options.size;
+  leaf.parameters.synthesis.guided = options.mode == "guided";
   leaf.parameters.veins.seed = options.seed;
   const bool marked = !options.mask.empty() || !options.markers.empty() || !options.root.empty();
   if (!marked) return true;
@@ -148,6 +149,11 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_option("--example", options->examples, "Photo that gives the colours (default: PHOTO); may be repeated")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--mode", options->mode,
+                   "guided: patches that lie along the veins; classic: superpixels, smoothed, with a layer of detail")
+      ->check(CLI::IsMember({"guided", "classic"}))
+      ->capture_default_str();
   command->add_option("--variants", options->variants, "How many textures")
       ->check(CLI::Range(0, 999))
       ->capture_default_str();

@@ -15,12 +15,9 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
   for (size_t i = 0; i < leaf.variants.size(); ++i) {
     const Variant& variant = leaf.variants[i];
     if (!wanted(variant)) continue;
-    // Root and tip are in photo pixels, a variant may be smaller than the photo.
-    const double x = double(variant.image.width()) / stages->photo.width();
-    const double y = double(variant.image.height()) / stages->photo.height();
-    const auto scaled = [x, y](QPointF point) { return QPointF(point.x() * x, point.y() * y); };
     textures.push_back(uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
-                                      variant.image, scaled(stages->root), scaled(stages->tip), leaf.bladeLength));
+                                      variant.image, stages->toVariant(stages->root, variant.image.size()),
+                                      stages->toVariant(stages->tip, variant.image.size()), leaf.bladeLength));
   }
   return textures;
 }

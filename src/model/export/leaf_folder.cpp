@@ -31,6 +31,8 @@ QJsonArray json(const std::vector<QPointF>& points) {
 
 QByteArray contourText(const LeafStages& stages, double bladeLength) {
   return QJsonDocument(QJsonObject{{"photo", QJsonArray{stages.photo.width(), stages.photo.height()}},
+                                   {"frame", QJsonArray{stages.frame.x(), stages.frame.y(), stages.frame.width(),
+                                                        stages.frame.height()}},
                                    {"root", json(stages.root)},
                                    {"tip", json(stages.tip)},
                                    {"petiole", json(stages.petiole)},
@@ -114,7 +116,7 @@ Status writeAll(const LeafFolder& leaf, const QDir& folder, Progress& progress) 
                                                  {Stage::Veins, "veins"},     {Stage::Distance, "distance"},
                                                  {Stage::Regions, "regions"}, {Stage::Superpixels, "superpixels"}};
   std::vector<std::pair<QString, QImage>> images{{"mask.png", stages.mask},
-                                                 {"veins.png", drawVeins(stages.veins, stages.photo.size(), 1)},
+                                                 {"veins.png", drawVeins(stages.veins, stages.photo.size(), {0, 0}, 1)},
                                                  {"distance.png", distanceImage(stages.grown.distance)}};
   for (const auto& [stage, name] : looks) {
     const QImage picture = stagePicture(stages, stage);
@@ -173,13 +175,15 @@ Result<std::vector<LeafTexture>> readLeafFolder(const QString& path) {
   if (parsing.error != QJsonParseError::NoError) {
     return Error{"contour.json: " + parsing.errorString().toStdString()};
   }
-  const Result<QPointF> root = pointOf(contour, "root"), tip = pointOf(contour, "tip"),
-                        photo = pointOf(contour, "photo");
-  for (const Result<QPointF>* point : {&root, &tip, &photo}) {
+  const Result<QPointF> root = pointOf(contour, "root"), tip = pointOf(contour, "tip");
+  for (const Result<QPointF>* point : {&root, &tip}) {
     if (!*point) return point->error();
   }
   const double bladeLength = contour[QLatin1String("bladeLength")].toDouble();
-  if (!(photo->x() >= 1 && photo->y() >= 1 && bladeLength > 0 && bladeLength < 100)) {
+  const QJsonArray frame = contour[QLatin1String("frame")].toArray();
+  const QPointF corner(frame.at(0).toDouble(), frame.at(1).toDouble());
+  const double frameWidth = frame.at(2).toDouble();
+  if (!(frameWidth >= 1 && bladeLength > 0 && bladeLength < 100)) {
     return Error{"contour.json: sizes that cannot be"};
   }
   std::vector<LeafTexture> textures;
@@ -187,9 +191,9 @@ Result<std::vector<LeafTexture>> readLeafFolder(const QString& path) {
     QImageReader reader(folder.filePath(name));
     const QImage image = reader.read().convertToFormat(QImage::Format_RGBA8888);
     if (image.isNull()) return Error{name.toStdString() + ": " + reader.errorString().toStdString()};
-    const double x = image.width() / photo->x(), y = image.height() / photo->y();
-    textures.push_back(uprightTexture(QFileInfo(name).completeBaseName(), image, {root->x() * x, root->y() * y},
-                                      {tip->x() * x, tip->y() * y}, bladeLength));
+    const double scale = image.width() / frameWidth;
+    textures.push_back(uprightTexture(QFileInfo(name).completeBaseName(), image, (*root - corner) * scale,
+                                      (*tip - corner) * scale, bladeLength));
   }
   if (textures.empty()) return Error{"no variant_000.png in it"};
   return textures;

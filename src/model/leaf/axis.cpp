@@ -128,7 +128,7 @@ std::optional<Stalk> findStalk(const cv::Mat1b& mask) {
       const double width = cv::countNonZero(stalk.pixels) / std::max(1.0, cv::norm(way));
       const cv::Point2d inward = way * (-1 / std::max(1e-9, cv::norm(way)));
       const double widening = widthAcross(mask, stalk.base + 2 * width * inward, inward) / width;
-      stalk.score *= std::clamp((widening - 1) / 2.5, 0.15, 1.0);
+      stalk.score *= std::clamp((widening - 1.3) / 2.5, 0.15, 1.0);
       stalk.score *= std::clamp(0.6 + 0.5 * outward, 0.2, 1.0) * (out.y > 0 ? 1.0 : 0.75);
 
       if (stalk.score < kLeastStalk) continue;

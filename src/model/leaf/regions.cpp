@@ -47,40 +47,56 @@ std::vector<QPointF> automaticMarkers(const std::vector<Tissue>& types, QSize si
 LabelField growRegions(const std::vector<Tissue>& types, QSize size, const std::vector<QPointF>& markers) {
   const cv::Mat1f distance = veinDistance(types, size);
   const int width = size.width(), height = size.height();
-  cv::Mat3b relief(height, width);
+  double deepest = 1;
+  cv::minMaxLoc(distance, nullptr, &deepest);
   cv::Mat1i labels(height, width, 0);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const auto level = static_cast<uchar>(std::clamp(255 - 6 * distance(y, x), 0.f, 255.f));
-      relief(y, x) = {level, level, level};
-    }
-  }
-  const int outside = static_cast<int>(markers.size()) + 1;
-  for (size_t i = 0; i < types.size(); ++i) {
-    if (types[i] == Tissue::Outside) labels(static_cast<int>(i) / width, static_cast<int>(i) % width) = outside;
-  }
+  const auto isLeaf = [&](int x, int y) {
+    return types[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] != Tissue::Outside;
+  };
+  // Flooded by height from the bottoms of the basins (Meyer): the veins are the ridges where two floods meet.
+  // cv::watershed orders by the difference of neighbours, which is the same everywhere on these slopes.
+  constexpr int kLevels = 1024;
+  std::vector<std::vector<cv::Point>> open(kLevels);
+  const auto levelOf = [&](int x, int y) {
+    return static_cast<size_t>(std::clamp((1 - distance(y, x) / deepest) * (kLevels - 1), 0.0, kLevels - 1.0));
+  };
   const int dot = std::max(1, std::max(width, height) / 200);
   for (size_t i = 0; i < markers.size(); ++i) {
-    cv::circle(labels, {static_cast<int>(markers[i].x()), static_cast<int>(markers[i].y())}, dot,
-               cv::Scalar(static_cast<double>(i + 1)), cv::FILLED);
+    const int mx = static_cast<int>(markers[i].x()), my = static_cast<int>(markers[i].y());
+    for (int y = std::max(0, my - dot); y <= std::min(height - 1, my + dot); ++y) {
+      for (int x = std::max(0, mx - dot); x <= std::min(width - 1, mx + dot); ++x) {
+        if (!isLeaf(x, y) || labels(y, x) != 0) continue;
+        labels(y, x) = static_cast<int>(i + 1);
+        open[levelOf(x, y)].emplace_back(x, y);
+      }
+    }
   }
-  cv::watershed(relief, labels);
-  // Watershed lines, and leaf that the outside has flooded, go to the nearest region.
-  cv::Mat1b open(height, width);
+  for (size_t level = 0; level < open.size(); ++level) {
+    for (size_t k = 0; k < open[level].size(); ++k) {
+      const cv::Point here = open[level][k];
+      for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+        const cv::Point next = here + step;
+        if (next.x < 0 || next.y < 0 || next.x >= width || next.y >= height) continue;
+        if (!isLeaf(next.x, next.y) || labels(next) != 0) continue;
+        labels(next) = labels(here);
+        open[std::max(level, levelOf(next.x, next.y))].push_back(next);
+      }
+    }
+  }
+  // Parts of the leaf that no flood reached go to the nearest region.
+  cv::Mat1b dry(height, width);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const bool leaf =
-          types[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] != Tissue::Outside;
-      open(y, x) = leaf && labels(y, x) > 0 && labels(y, x) < outside ? 0 : 255;
+      dry(y, x) = labels(y, x) > 0 ? 0 : 255;
     }
   }
   cv::Mat1f toRegion;
   cv::Mat1i nearest;
-  cv::distanceTransform(open, toRegion, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
+  cv::distanceTransform(dry, toRegion, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
   std::vector<int> regionOf(1, 0);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      if (open(y, x)) continue;
+      if (dry(y, x)) continue;
       const auto label = static_cast<size_t>(nearest(y, x));
       if (label >= regionOf.size()) regionOf.resize(label + 1, 0);
       regionOf[label] = labels(y, x);

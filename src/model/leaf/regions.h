@@ -12,7 +12,7 @@ namespace windfall::model {
 /// Local maxima of the distance to the veins; working pixels (leaf_textures.md, 5).
 std::vector<QPointF> automaticMarkers(const std::vector<Tissue>& types, QSize size);
 
-/// Watershed from the markers with the veins as ridges; every pixel of the leaf gets a region 1.. .
+/// Watershed by flooding from the markers with the veins as ridges; every pixel of the leaf gets a region 1.. .
 LabelField growRegions(const std::vector<Tissue>& types, QSize size, const std::vector<QPointF>& markers);
 
 }  // namespace windfall::model

@@ -102,7 +102,11 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
   QImage image(stages.photo.size(), QImage::Format_ARGB32);
   image.fill(Qt::transparent);
   const auto sized = [&](const QImage& working) {
-    return working.scaled(stages.photo.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QImage whole(stages.photo.size(), QImage::Format_ARGB32);
+    whole.fill(Qt::transparent);
+    QPainter(&whole).drawImage(stages.frame.topLeft(),
+                               working.scaled(stages.frame.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    return whole;
   };
   switch (stage) {
     case Stage::Mask:
@@ -136,7 +140,7 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
       image = sized(distancePicture(stages.grown.distance, stages.alpha));
       break;
     case Stage::Regions: {
-      image = sized(labelPicture(stages.grown.regions, true)).convertToFormat(QImage::Format_ARGB32);
+      image = sized(labelPicture(stages.grown.regions, true));
       Marks marks(image);
       for (const QPointF& marker : stages.markers) marks.dot(marker, Qt::white, 3);
       break;

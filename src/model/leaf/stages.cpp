@@ -96,12 +96,24 @@ class Computation {
   }
 
  private:
+  void setFrame(const QRect& frame) {
+    result_.frame = frame;
+    result_.scale =
+        static_cast<double>(std::max(16, leaf_.parameters.synthesis.size)) / std::max(frame.width(), frame.height());
+  }
+
+  /// The mask's box with some ground around it.
+  QRect leafFrame() const {
+    const cv::Rect box = cv::boundingRect(grayView(result_.mask));
+    const int margin = std::max(2, std::max(box.width, box.height) / 32);
+    return QRect(box.x, box.y, box.width, box.height).adjusted(-margin, -margin, margin, margin) & result_.photo.rect();
+  }
+
   Status photo() {
     Result<QImage> image = readPhoto(leaf_.photo);
     if (!image) return image.error();
     result_.photo = *image;
-    result_.scale =
-        static_cast<double>(std::max(16, leaf_.parameters.synthesis.size)) / std::max(image->width(), image->height());
+    setFrame(image->rect());
     return ok();
   }
 
@@ -124,6 +136,7 @@ class Computation {
   Status contour() {
     result_.border = traceBorder(result_.mask);
     if (result_.border.size() < 8) return Error{"no leaf found: the mask has no outline"};
+    setFrame(leafFrame());
     const LeafAxis axis = findAxis(result_.mask, result_.border, leaf_.root);
     result_.root = axis.root;
     result_.tip = axis.tip;
@@ -145,15 +158,15 @@ class Computation {
   }
 
   Status distance() {
-    size_ = QSize(std::max(1, static_cast<int>(std::lround(result_.photo.width() * result_.scale))),
-                  std::max(1, static_cast<int>(std::lround(result_.photo.height() * result_.scale))));
-    result_.alpha = softMask(result_.mask, size_);
-    types_ = tissueOf(result_.alpha, drawVeins(result_.veins, size_, result_.scale));
+    size_ = QSize(std::max(1, static_cast<int>(std::lround(result_.frame.width() * result_.scale))),
+                  std::max(1, static_cast<int>(std::lround(result_.frame.height() * result_.scale))));
+    result_.alpha = softMask(result_.mask.copy(result_.frame), size_);
+    types_ = tissueOf(result_.alpha, drawVeins(result_.veins, size_, result_.frame.topLeft(), result_.scale));
     return measure(types_, result_.grown);
   }
 
   Status measure(const std::vector<Tissue>& types, LeafStructure& structure) {
-    const QPoint source = nearestOnLeaf(types, size_, result_.root * result_.scale);
+    const QPoint source = nearestOnLeaf(types, size_, result_.toWorking(result_.root));
     structure.distance = normalised(structuralDistance(types, size_, source, leaf_.parameters.costs), size_, types);
     structure.veinDistance = veinDistanceField(types, size_);
     return ok();
@@ -161,19 +174,20 @@ class Computation {
 
   Status regions() {
     std::vector<QPointF> markers;
-    for (const QPointF& marker : leaf_.markers) markers.push_back(marker * result_.scale);
+    for (const QPointF& marker : leaf_.markers) markers.push_back(result_.toWorking(marker));
     if (markers.empty()) markers = automaticMarkers(types_, size_);
     result_.grown.regions = growRegions(types_, size_, markers);
-    for (const QPointF& marker : markers) result_.markers.push_back(marker / result_.scale);
+    for (const QPointF& marker : markers) result_.markers.push_back(result_.toPhoto(marker));
     return ok();
   }
 
   Status superpixels() {
     const int count = leaf_.parameters.synthesis.superpixels;
     result_.grown.superpixels = makeSuperpixels(result_.grown.distance, result_.grown.regions, count);
-    QImage sized = result_.photo.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+    QImage sized = result_.photo.copy(result_.frame)
+                       .scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
                        .convertToFormat(QImage::Format_RGBA8888);
-    const QPointF root = result_.root * result_.scale;
+    const QPointF root = result_.toWorking(result_.root);
     const std::vector<Tissue> seen = extractVeins(sized, types_, root.toPoint());
     if (const Status status = measure(seen, result_.seen); !status) return status;
     result_.seen.regions = growRegions(seen, size_, automaticMarkers(seen, size_));

@@ -3,8 +3,10 @@
 
 #include <QImage>
 #include <QPointF>
+#include <QRect>
 #include <QSize>
 #include <QString>
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -41,12 +43,14 @@ struct LeafStructure {
 enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants };
 #pragma GCC diagnostic pop
 
-/// What was derived from a leaf. Working images have the long side `parameters.synthesis.size`; contour, root, tip and
-/// veins are in photo pixels, fields and labels in working pixels (`scale` working pixels a photo pixel).
+/// What was derived from a leaf. Working images and variants cover `frame`, the leaf's part of the photo, with the long
+/// side `parameters.synthesis.size`: a small leaf on a large sheet gets a whole texture. Contour, root, tip, veins and
+/// markers are in photo pixels, fields and labels in working pixels.
 struct LeafStages {
-  QImage photo;  ///< RGBA8888, EXIF rotation applied, photo size
-  QImage mask;   ///< Grayscale8, photo size
-  double scale = 1;
+  QImage photo;                  ///< RGBA8888, EXIF rotation applied, photo size
+  QImage mask;                   ///< Grayscale8, photo size
+  QRect frame;                   ///< what the working images show, photo pixels; the whole photo up to Stage::Mask
+  double scale = 1;              ///< working pixels a photo pixel
   std::vector<QPointF> border;   ///< every border pixel in order, counter-clockwise seen with y up
   std::vector<QPointF> contour;  ///< simplified by RDP
   QPointF root, tip;
@@ -58,6 +62,14 @@ struct LeafStages {
   LeafStructure seen;            ///< by the veins that the photo shows: where colours come from (Stage::Superpixels)
   Stage reached = Stage::Photo;
   std::map<QString, double> seconds;  ///< wall clock of each stage by name
+
+  /// A place of the photo in working pixels, and back.
+  QPointF toWorking(QPointF place) const { return (place - frame.topLeft()) * scale; }
+  QPointF toPhoto(QPointF working) const { return working / scale + frame.topLeft(); }
+  /// A place of the photo in a variant of any size.
+  QPointF toVariant(QPointF place, QSize variant) const {
+    return (place - frame.topLeft()) * (static_cast<double>(variant.width()) / std::max(1, frame.width()));
+  }
 };
 
 /// Reads a picture (JPEG, PNG, 8 or 16 bit) as RGBA8888 with EXIF rotation applied.

@@ -24,7 +24,7 @@ namespace {
 std::vector<float> workingColours(const LeafStages& stages) {
   const QSize size = stages.grown.distance.size;
   QImage photo = stages.photo;
-  const int margin = std::max(2, std::max(photo.width(), photo.height()) / 340);
+  const int margin = std::max(2, std::max(stages.frame.width(), stages.frame.height()) / 340);
   cv::Mat1b solid;
   cv::erode(grayView(stages.mask), solid,
             cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}), {-1, -1}, 1,
@@ -34,9 +34,11 @@ std::vector<float> workingColours(const LeafStages& stages) {
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) pixels(y, x)[3] = solid(y, x);
   }
+  const QRect& f = stages.frame;
+  pixels = pixels(cv::Rect(f.x(), f.y(), f.width(), f.height()));
   const cv::Mat4b spread = rgbaView(spreadColours(toRgba(pixels))).clone();
   cv::Mat4b sized;
-  const bool smaller = size.width() < photo.width();
+  const bool smaller = size.width() < f.width();
   cv::resize(spread, sized, {size.width(), size.height()}, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_CUBIC);
   const cv::Mat3f lab = toLab(toRgba(sized));
   return {reinterpret_cast<const float*>(lab.datastart), reinterpret_cast<const float*>(lab.dataend)};
@@ -122,8 +124,10 @@ std::vector<float> classicColours(const LeafStages& target, const LeafStages& ex
 /// Patches of the example, coarse to fine; the coarsest leaf is about 128 pixels long.
 std::vector<float> guidedColours(const LeafStages& target, const LeafStages& example, const std::vector<float>& colours,
                                  const std::vector<int>& match, quint64 seed, Progress& progress) {
-  const VeinFrame targetFrame = findVeinFrame(target.grown, target.root * target.scale, target.tip * target.scale);
-  const VeinFrame exampleFrame = findVeinFrame(example.seen, example.root * example.scale, example.tip * example.scale);
+  const VeinFrame targetFrame =
+      findVeinFrame(target.grown, target.toWorking(target.root), target.toWorking(target.tip));
+  const VeinFrame exampleFrame =
+      findVeinFrame(example.seen, example.toWorking(example.root), example.toWorking(example.tip));
   const double length = QLineF(target.root, target.tip).length() * target.scale;
   const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
   std::vector<GuidedLevel> pyramid;

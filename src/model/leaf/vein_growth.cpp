@@ -23,18 +23,21 @@ QPointF turned(QPointF v, double angle) {
 
 double length(QPointF v) { return std::hypot(v.x(), v.y()); }
 
-/// The leaf on a grid of at most 256 cells: tests whether a place is on it and finds middle ways through it.
+/// The leaf without its holes on a grid of about 256 cells: tests whether a place is on it and finds middle ways
+/// through it.
 class LeafGrid {
  public:
   explicit LeafGrid(const QImage& mask) : mask_(grayView(mask).clone()) {
-    scale_ = std::min(1.0, 256.0 / std::max(mask_.cols, mask_.rows));
-    cv::Mat1b small;
-    cv::resize(mask_, small, {}, scale_, scale_, cv::INTER_AREA);
-    small = small > 100;
     // Holes are no obstacle for a vein that was there before the hole.
     std::vector<std::vector<cv::Point>> outlines;
-    cv::findContours(small, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-    cv::drawContours(small, outlines, -1, 255, cv::FILLED);
+    cv::findContours(mask_, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    cv::drawContours(mask_, outlines, -1, 255, cv::FILLED);
+    // The leaf, not its photo, gets the cells.
+    const cv::Rect box = cv::boundingRect(mask_);
+    scale_ = std::min({1.0, 256.0 / std::max({box.width, box.height, 1}), 1024.0 / std::max(mask_.cols, mask_.rows)});
+    cv::Mat1b small;
+    cv::resize(mask_, small, {}, scale_, scale_, cv::INTER_AREA);
+    small = small > 20;
     cv::copyMakeBorder(small, small, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
     cv::distanceTransform(small, depth_, cv::DIST_L2, 3);
   }
@@ -331,7 +334,7 @@ Veins growVeins(const QImage& mask, const Polygon& border, const LeafAxis& axis,
   return Grower(mask, border, axis, parameters).grow();
 }
 
-QImage drawVeins(const Veins& veins, QSize size, double scale) {
+QImage drawVeins(const Veins& veins, QSize size, QPointF origin, double scale) {
   QImage image(size, QImage::Format_Grayscale8);
   image.fill(0);
   QPainter painter(&image);
@@ -341,7 +344,7 @@ QImage drawVeins(const Veins& veins, QSize size, double scale) {
       const double t = static_cast<double>(i) / static_cast<double>(vein.points.size());
       const double width = std::max(1.0, scale * (vein.startWidth + (vein.endWidth - vein.startWidth) * t));
       painter.setPen(QPen(Qt::white, width, Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine(vein.points[i - 1] * scale, vein.points[i] * scale);
+      painter.drawLine((vein.points[i - 1] - origin) * scale, (vein.points[i] - origin) * scale);
     }
   }
   return image;

@@ -18,7 +18,8 @@ Polygon growWalk(QPointF from, QPointF to, double step, double turn, RandomSeque
 /// laterals by the angles of `parameters`. All points lie on the mask, laterals do not cross. Photo pixels.
 Veins growVeins(const QImage& mask, const Polygon& border, const LeafAxis& axis, const VeinParameters& parameters);
 
-/// Draws veins as white lines on black, antialiased, with their widths; `scale` picture pixels a photo pixel.
-QImage drawVeins(const Veins& veins, QSize size, double scale);
+/// Draws veins as white lines on black, antialiased, with their widths. The picture's corner is at `origin` of the
+/// photo, `scale` picture pixels are a photo pixel.
+QImage drawVeins(const Veins& veins, QSize size, QPointF origin, double scale);
 
 }  // namespace windfall::model

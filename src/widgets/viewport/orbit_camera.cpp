@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -91,12 +92,22 @@ void OrbitCamera::look(StandardView view) {
 }
 
 void OrbitCamera::frame(const Box& box, QSize size) {
-  const float radius = std::max(glm::length(box.upper - box.lower) / 2, 0.02f);
-  const double vertical = state_.fieldOfView * kDegrees / 2;
-  const double aspect = static_cast<double>(std::max(size.width(), 1)) / std::max(size.height(), 1);
-  const double narrow = std::min(vertical, std::atan(std::tan(vertical) * aspect));
-  state_.target = toQt((box.lower + box.upper) / 2.f);
-  state_.distance = std::clamp(radius / std::sin(narrow), kNearest, kFarthest);
+  constexpr double kFilled = 0.9;        // share of the picture
+  constexpr float kLeastExtent = 0.02f;  // m
+  const vec3 center = (box.lower + box.upper) / 2.f, half = glm::max((box.upper - box.lower) / 2.f, vec3(kLeastExtent));
+  const double tall = std::tan(state_.fieldOfView * kDegrees / 2) * kFilled;
+  const double wide = tall * std::max(size.width(), 1) / std::max(size.height(), 1);
+  state_.target = toQt(center);
+  const Axes a = axes();
+  double distance = kNearest;
+  for (int corner = 0; corner < 8; ++corner) {
+    const vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const vec3 d = half * sign;
+    const double nearer = -static_cast<double>(glm::dot(d, a.forward));
+    distance = std::max({distance, nearer + std::abs(static_cast<double>(glm::dot(d, a.right))) / wide,
+                         nearer + std::abs(static_cast<double>(glm::dot(d, a.up))) / tall});
+  }
+  state_.distance = std::min(distance, kFarthest);
   keepAboveGround();
 }
 

@@ -77,12 +77,16 @@ class OrbitCameraTest : public QObject {
     for (const QSize size : {QSize(800, 600), QSize(300, 900)}) {
       OrbitCamera camera;
       camera.frame(box, size);
+      double filled = 0;
       for (int corner = 0; corner < 8; ++corner) {
         const vec3 place(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                          corner & 4 ? box.upper.z : box.lower.z);
         const auto pixel = camera.project(place, size);
         QVERIFY(pixel && QRectF({0, 0}, QSizeF(size)).contains(*pixel));
+        filled = std::max(
+            {filled, std::abs(2 * pixel->x() / size.width() - 1), std::abs(2 * pixel->y() / size.height() - 1)});
       }
+      QVERIFY2(filled > 0.85, qPrintable(QString::number(filled)));
     }
   }
 
