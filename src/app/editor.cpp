@@ -15,6 +15,8 @@
 #include "widgets/leaf/leaf_workspace.h"
 #include "widgets/main_window/message_bar.h"
 #include "widgets/main_window/project_files.h"
+#include "widgets/plant/plant_workspace.h"
+#include "widgets/scene/scene_workspace.h"
 
 namespace windfall::app {
 
@@ -26,6 +28,8 @@ Editor::Editor() : jobs_(std::make_unique<model::JobRunner>()) {
   window_ = std::make_unique<MainWindow>(context);
   // The tabs, in the order of the work.
   window_->addWorkspace(new widgets::LeafWorkspace(context, window_.get()));
+  window_->addWorkspace(new widgets::PlantWorkspace(context, window_.get()));
+  window_->addWorkspace(new widgets::SceneWorkspace(context, window_.get()));
   window_->files().setSampleMaker([](model::Progress& progress) { return model::sampleProject(progress); });
   window_->start();
 }
