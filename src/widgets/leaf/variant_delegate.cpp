@@ -35,7 +35,8 @@ QPixmap thumbnail(const QImage& image, qreal ratio) {
   QPixmap pixmap;
   if (QPixmapCache::find(key, &pixmap)) return pixmap;
   pixmap = QPixmap::fromImage(
-      image.convertToFormat(QImage::Format_ARGB32_Premultiplied)
+      image.copy(opaquePart(image))
+          .convertToFormat(QImage::Format_ARGB32_Premultiplied)
           .scaled(QSize(kPicture - 8, kPicture - 8) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   pixmap.setDevicePixelRatio(ratio);
   QPixmapCache::insert(key, pixmap);
