@@ -13,12 +13,30 @@ namespace {
 
 constexpr int kPicture = 96;  // px
 
+/// Where there is anything to see; a leaf fills little of its photo.
+QRect opaquePart(const QImage& image) {
+  const QImage small = image.scaled(64, 64).convertToFormat(QImage::Format_ARGB32);
+  QRect part;
+  for (int y = 0; y < 64; ++y) {
+    const auto* row = reinterpret_cast<const QRgb*>(small.constScanLine(y));
+    for (int x = 0; x < 64; ++x) {
+      if (qAlpha(row[x]) > 24) part |= QRect(x, y, 1, 1);
+    }
+  }
+  if (part.isEmpty()) return image.rect();
+  part.adjust(-1, -1, 1, 1);
+  return QRect(part.x() * image.width() / 64, part.y() * image.height() / 64, part.width() * image.width() / 64,
+               part.height() * image.height() / 64) &
+         image.rect();
+}
+
 QPixmap thumbnail(const QImage& image, qreal ratio) {
   const QString key = QStringLiteral("variant/%1/%2").arg(image.cacheKey()).arg(ratio);
   QPixmap pixmap;
   if (QPixmapCache::find(key, &pixmap)) return pixmap;
   pixmap = QPixmap::fromImage(
-      image.convertToFormat(QImage::Format_ARGB32_Premultiplied)
+      image.copy(opaquePart(image))
+          .convertToFormat(QImage::Format_ARGB32_Premultiplied)
           .scaled(QSize(kPicture - 8, kPicture - 8) * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   pixmap.setDevicePixelRatio(ratio);
   QPixmapCache::insert(key, pixmap);

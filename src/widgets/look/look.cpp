@@ -54,6 +54,8 @@ QString makeStyleSheet(const Colors& c) {
   for (const auto& [name, color] : names) {
     sheet.replace(QString::fromLatin1(name) + QLatin1Char(';'), color.name() + QLatin1Char(';'));
   }
+  const bool dark = c.panel.lightness() < 128;
+  sheet.replace(QStringLiteral("@scheme;"), dark ? QStringLiteral("dark") : QStringLiteral("light"));
   return sheet;
 }
 

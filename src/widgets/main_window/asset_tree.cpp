@@ -4,6 +4,7 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QMimeData>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 
 #include "widgets/look/icon.h"
@@ -20,6 +21,18 @@ constexpr int kHangs = 3;  // kind of the rows under a plant: kId is the leaf's
 
 AssetId idOf(const QTreeWidgetItem* item) { return {item ? item->data(0, kId).toULongLong() : 0}; }
 int kindOf(const QTreeWidgetItem* item) { return item ? item->data(0, kKind).toInt() : -1; }
+
+/// Unfolded rows would show their icon as if it were switched on.
+class RowDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->state &= ~QStyle::State_Open;
+  }
+};
 }  // namespace
 
 AssetTree::AssetTree(model::Document& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
@@ -32,6 +45,7 @@ AssetTree::AssetTree(model::Document& document, QWidget* parent) : QTreeWidget(p
   setIndentation(16);
   setIconSize({16, 16});
   setUniformRowHeights(true);
+  setItemDelegate(new RowDelegate(this));
   setEditTriggers(QAbstractItemView::EditKeyPressed);
   setDragEnabled(true);
   setAcceptDrops(true);

@@ -97,6 +97,9 @@ void MainWindow::addWorkspace(Workspace* workspace) {
   tab.button->setCheckable(true);
   tab.button->setAutoExclusive(true);
   tab.button->setFocusPolicy(Qt::NoFocus);
+  // The style leaves room for an arrow that there is not.
+  constexpr int kTabPadding = 2 * 12 + 16 + 4;
+  tab.button->setFixedWidth(tab.button->fontMetrics().horizontalAdvance(tab.button->text()) + kTabPadding);
   tabRow_->layout()->addWidget(tab.button);
   if (QWidget* corner = workspace->corner()) cornerRow_->layout()->addWidget(corner);
 

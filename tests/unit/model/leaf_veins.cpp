@@ -1,0 +1,83 @@
+#include <QLineF>
+#include <QtTest>
+
+#include "model/leaf/vein_growth.h"
+#include "support/leaf_fixture.h"
+#include "support/suite.h"
+
+using namespace windfall;
+using namespace windfall::model;
+
+namespace {
+
+Veins veinsOf(const PaintedPhoto& painted, quint64 seed) {
+  const Polygon border = traceBorder(painted.mask);
+  VeinParameters parameters;
+  parameters.seed = seed;
+  return growVeins(painted.mask, border, findAxis(painted.mask, border, {}), parameters);
+}
+
+}  // namespace
+
+class LeafVeins : public QObject {
+  Q_OBJECT
+ private slots:
+  void aWalkOfTwentyStepLengthsTakesTwentySixSteps() {
+    double total = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      RandomSequence random(seed);
+      const Polygon walk = growWalk({0, 0}, {200, 0}, 10, 30, random);
+      QCOMPARE(walk.front(), QPointF(0, 0));
+      QCOMPARE(walk.back(), QPointF(200, 0));
+      total += static_cast<double>(walk.size() - 1);
+    }
+    const double mean = total / 200;
+    QVERIFY2(mean > 24 && mean < 28, qPrintable(QString::number(mean)));
+  }
+
+  void veinsLieInTheLeafAndLateralsDoNotCross_data() {
+    QTest::addColumn<int>("shape");
+    for (int shape = 0; shape < 4; ++shape) QTest::addRow("shape %d", shape) << shape;
+  }
+  void veinsLieInTheLeafAndLateralsDoNotCross() {
+    QFETCH(int, shape);
+    const PaintedPhoto painted = paintLeafPhoto({static_cast<LeafShape>(shape)}, 12, 400);
+    for (const quint64 seed : {1, 2, 3}) {
+      const Veins veins = veinsOf(painted, seed);
+      QVERIFY(veins.size() > 5);
+      QCOMPARE(veins[0].order, 1);
+      for (size_t i = 0; i < veins.size(); ++i) {
+        for (const QPointF& p : veins[i].points) {
+          QVERIFY(painted.mask.valid(p.toPoint()));
+          QVERIFY(painted.mask.pixelColor(p.toPoint()).red() > 0);
+        }
+        for (size_t k = 0; k < i; ++k) {
+          if (veins[i].order < 2 || veins[k].order < 2) continue;
+          for (size_t a = 1; a < veins[i].points.size(); ++a) {
+            const QLineF one(veins[i].points[a - 1], veins[i].points[a]);
+            for (size_t b = 1; b < veins[k].points.size(); ++b) {
+              const QLineF other(veins[k].points[b - 1], veins[k].points[b]);
+              QVERIFY(one.intersects(other, nullptr) != QLineF::BoundedIntersection);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  void theSeedDecides() {
+    const PaintedPhoto painted = paintLeafPhoto({}, 12, 300);
+    QCOMPARE(veinsOf(painted, 5), veinsOf(painted, 5));
+    QVERIFY(veinsOf(painted, 5) != veinsOf(painted, 6));
+  }
+
+  void drawnVeinsFollowTheFrame() {
+    const Veins veins{{1, -1, {{10, 10}, {10, 30}}, 2, 2}};
+    const QImage drawn = drawVeins(veins, {40, 60}, {5, 5}, 2);
+    QVERIFY(drawn.pixelColor(10, 30).red() > 200);
+    QCOMPARE(drawn.pixelColor(30, 30).red(), 0);
+  }
+};
+
+WINDFALL_SUITE(LeafVeins)
+#include "leaf_veins.moc"
