@@ -102,7 +102,7 @@ Result<Project> sampleProject(Progress& progress) {
   project.scene.wind.turbulence = 0.25f;
   project.scene.wind.gustStrength = 0.9f;
   project.scene.wind.gustPeriod = 7;
-  project.scene.leaves.count = 50000;
+  project.scene.leaves.count = 80000;
   project.scene.leaves.season = 0.5f;
 
   // Low light from behind the camera's left shoulder, seen from a child's height.
