@@ -238,12 +238,14 @@ class SceneWorkspaceTest : public QObject {
   }
 
   void emptySceneSaysWhatToDo() {
+    QSignalSpy problems(&workspace_->controller(), &SimulationController::problem);
     for (const model::AssetId tree : trees_) document_->remove(tree);
     QVERIFY(window_->settle());
     QVERIFY(!workspace_->controller().hasScene());
     const auto* hint = window_->findChild<QLabel*>("canvasHint");
     QVERIFY(hint->isVisible());
     QVERIFY(hint->text().contains("Shift+A"));
+    QVERIFY2(problems.isEmpty(), "an empty scene is no problem");
   }
 
   void simulationIsFoundAgainWhereItStopped() {

@@ -302,6 +302,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::storeView() {
+  for (const Tab& tab : tabs_) tab.workspace->beforeSave();
   model::ViewState view = context_.document.project().view;
   if (current_) view.workspace = current_->id();
   QJsonObject docks, views;

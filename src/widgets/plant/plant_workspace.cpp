@@ -249,9 +249,7 @@ void PlantWorkspace::showPlant() {
   framedPlant_ = plant_;
   const auto box = bounds(false);
   if (!box || std::exchange(keepCamera_, false)) return;
-  OrbitCamera camera(viewport_->camera());
-  camera.frame(*box, viewport_->size());
-  viewport_->setCamera(camera.state());
+  viewport_->frameAtOnce(*box);
 }
 
 void PlantWorkspace::showChosen() {

@@ -239,9 +239,7 @@ void SceneWorkspace::frameAll() {
   const auto box = boundsOfTrees(false);
   if (!box) return;
   framed_ = true;
-  OrbitCamera camera(viewport_->camera());
-  camera.frame(*box, viewport_->size());
-  viewport_->setCamera(camera.state());
+  viewport_->frameAtOnce(*box);
 }
 
 void SceneWorkspace::addTree() {

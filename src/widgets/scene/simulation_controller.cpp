@@ -45,7 +45,9 @@ void SimulationController::setScene(sim::SceneDescription scene, std::shared_ptr
 
 void SimulationController::clear() {
   pause();
-  setScene({}, std::make_shared<render::SceneContent>());
+  sim::SceneDescription nothing;
+  nothing.leaves.count = 0;
+  setScene(std::move(nothing), std::make_shared<render::SceneContent>());
   hasScene_ = false;
 }
 

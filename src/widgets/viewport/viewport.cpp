@@ -81,6 +81,7 @@ void Viewport::setTool(ViewportTool* tool) {
 
 void Viewport::setCamera(const model::Camera& camera) {
   animation_.stop();
+  awaited_.reset();
   goal_ = camera;
   applyCamera(OrbitCamera(camera));
 }
@@ -108,6 +109,16 @@ void Viewport::frame(const Box& box) {
   OrbitCamera camera(goal_);
   camera.frame(box, size());
   moveTo(camera.state(), kStandardMotion);
+}
+
+void Viewport::frameAtOnce(const Box& box) {
+  if (drawn_ == 0) {
+    awaited_ = box;
+    return;
+  }
+  OrbitCamera camera(goal_);
+  camera.frame(box, size());
+  setCamera(camera.state());
 }
 
 void Viewport::look(StandardView view) {
@@ -167,6 +178,11 @@ void Viewport::releaseRenderer() {
 
 void Viewport::paintGL() {
   if (!renderer_) return;
+  if (awaited_) {
+    OrbitCamera camera(goal_);
+    camera.frame(*awaited_, size());
+    setCamera(camera.state());
+  }
   render::View view;
   view.eye = camera_.eye();
   view.target = camera_.target();

@@ -36,6 +36,8 @@ class Viewport : public QOpenGLWidget {
   /// Where the camera stands when its motion has ended.
   const model::Camera& cameraGoal() const { return goal_; }
   void frame(const Box& box);
+  /// The same at once, or with the first picture, when the size of the view is known.
+  void frameAtOnce(const Box& box);
   void look(StandardView view);
   /// What `.` and Home show; asked when the key is pressed.
   void setBounds(std::function<std::optional<Box>()> selection, std::function<std::optional<Box>()> all);
@@ -94,6 +96,7 @@ class Viewport : public QOpenGLWidget {
   QPointF pressed_, last_;
   bool clickable_ = false;
   std::function<std::optional<Box>()> selectionBounds_, allBounds_;
+  std::optional<Box> awaited_;  ///< to be framed with the first picture
   QString problem_, hint_;
   QLabel* label_ = nullptr;
   QWidget* overlay_ = nullptr;
