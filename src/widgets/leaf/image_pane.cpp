@@ -23,7 +23,7 @@ void drawCheckerboard(QPainter& painter, const QRectF& area, const Colors& c) {
   inside.fillRect(0, 0, kCheck, kCheck, other);
   inside.fillRect(kCheck, kCheck, kCheck, kCheck, other);
   inside.end();
-  painter.drawTiledPixmap(area.toAlignedRect(), tile);
+  painter.drawTiledPixmap(area.toRect(), tile);
 }
 
 }  // namespace

@@ -6,11 +6,22 @@ namespace windfall::widgets {
 
 namespace {
 constexpr int kSmallest = 64;  // px of the longer side of the last level
+
+/// Many photos have an alpha channel and nothing in it.
+bool isOpaque(const QImage& image) {
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    if (std::any_of(row, row + image.width(), [](QRgb pixel) { return qAlpha(pixel) < 255; })) return false;
+  }
+  return true;
 }
 
-MipImage::MipImage(const QImage& image) : alpha_(image.hasAlphaChannel()) {
+}  // namespace
+
+MipImage::MipImage(const QImage& image) {
   if (image.isNull()) return;
   levels_.push_back(image.convertToFormat(QImage::Format_ARGB32_Premultiplied));
+  alpha_ = image.hasAlphaChannel() && !isOpaque(levels_.front());
   while (std::max(levels_.back().width(), levels_.back().height()) > kSmallest) {
     const QSize half((levels_.back().width() + 1) / 2, (levels_.back().height() + 1) / 2);
     levels_.emplace_back(half, QImage::Format_ARGB32_Premultiplied);

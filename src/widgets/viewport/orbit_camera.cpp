@@ -92,7 +92,7 @@ void OrbitCamera::look(StandardView view) {
 }
 
 void OrbitCamera::frame(const Box& box, QSize size) {
-  constexpr double kFilled = 0.9;        // share of the picture
+  constexpr double kFilled = 0.98;       // share of the picture
   constexpr float kLeastExtent = 0.02f;  // m
   const vec3 center = (box.lower + box.upper) / 2.f, half = glm::max((box.upper - box.lower) / 2.f, vec3(kLeastExtent));
   const double tall = std::tan(state_.fieldOfView * kDegrees / 2) * kFilled;
