@@ -47,7 +47,7 @@ class LeafCliTest : public QObject {
     const test::ProgramRun run = windfallRun(arguments);
     QCOMPARE(run.status, 0);
     for (const char* name : {"mask.png", "veins.png", "distance.png", "regions.png", "superpixels_1.png",
-                             "variant_000.png", "variant_001.png", "look_contour.png"}) {
+                             "variant_000.png", "variant_001.png", "look_contour.jpg"}) {
       QVERIFY2(!QImage(at("out/") + name).isNull(), name);
     }
     QCOMPARE(QImage(at("out/mask.png")).size(), QImage(at("leaf.png")).size());

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "model/leaf/texture_bench.h"
 #include "sim/bench.h"
 
 namespace windfall::app {
@@ -16,7 +17,9 @@ struct BenchOptions {
 
 int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
-  for (const sim::Benchmark& benchmark : sim::simBenchmarks()) {
+  std::vector<sim::Benchmark> benchmarks = sim::simBenchmarks();
+  for (sim::Benchmark& benchmark : model::textureBenchmarks()) benchmarks.push_back(std::move(benchmark));
+  for (const sim::Benchmark& benchmark : benchmarks) {
     if (benchmark.name.find(options.filter) == std::string::npos) continue;
     results.push_back(sim::runBenchmark(benchmark, options.rounds));
     std::printf("%s\n", sim::benchmarkTable(results.back()).c_str());

@@ -17,7 +17,7 @@ namespace {
 struct LeafOptions {
   std::string photo, output, mask, root, markers, mode = "guided";
   std::vector<std::string> examples;
-  int variants = 4;
+  int variants = 2;
   int size = 1024;
   std::uint64_t seed = 1;
 };

@@ -21,7 +21,7 @@ struct LeafFolder {
 };
 
 /// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png,
-/// variant_000.png and on, timings.json, and look_*.png, the stages laid over the photo. All is made in a folder beside
+/// variant_000.png and on, timings.json, and look_*.jpg, the stages laid over the photo. All is made in a folder beside
 /// `path` and put in place when it is whole; variants of an earlier run go. `path` is made where it is missing.
 Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& progress);
 

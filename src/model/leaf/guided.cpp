@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <numbers>
 
@@ -15,6 +16,17 @@ namespace {
 constexpr int kRadius = 2, kPatch = 25, kAngles = 64, kBands = 16;
 constexpr float kGuideWeight = 1000.f * kPatch;
 constexpr float kFar = 1e30f;
+constexpr int kFineReach = 32;  ///< px: how far finer levels search
+
+/// Four floats that one instruction adds or multiplies.
+using Lanes = float __attribute__((vector_size(16)));
+static_assert(sizeof(PatchPixel) == sizeof(Lanes));
+
+Lanes lanesOf(const PatchPixel& pixel) {
+  Lanes lanes;
+  std::memcpy(&lanes, &pixel, sizeof lanes);
+  return lanes;
+}
 
 struct Match {
   std::int16_t x = -1, y = -1;
@@ -66,7 +78,8 @@ class Level {
         offsets_(level.example.stride),
         seed_(seed),
         number_(number),
-        field_(target_.leaf.size()) {
+        field_(target_.leaf.size()),
+        whole_(target_.leaf.size()) {
     // A little smooth noise on the target's guides: equal places need not choose equal patches.
     for (int y = 0; y < target_.height; ++y) {
       for (int x = 0; x < target_.width; ++x) {
@@ -77,7 +90,9 @@ class Level {
     }
     for (int y = 0; y < target_.height; ++y) {
       for (int x = 0; x < target_.width; ++x) {
-        if (target_.leaf[target_.at(x, y)]) places_.push_back({x, y});
+        if (!target_.leaf[target_.at(x, y)]) continue;
+        places_.push_back({x, y});
+        whole_[target_.at(x, y)] = patchIsWhole(x, y);
       }
     }
   }
@@ -126,29 +141,43 @@ class Level {
       const int dx = k % 5 - kRadius, dy = k / 5 - kRadius;
       weights[static_cast<size_t>(k)] = std::exp(-falloff * static_cast<float>(dx * dx + dy * dy));
     }
+    // Where each patch reads and how it is turned, found once and not by each of the pixels that it covers.
+    struct Source {
+      std::int32_t place = -1;
+      std::uint32_t turn = 0;
+    };
+    std::vector<Source> sources(field_.size());
+#pragma omp parallel for schedule(static)
+    for (int y = 0; y < target_.height; ++y) {
+      for (int x = 0; x < target_.width; ++x) {
+        const Match& match = field_[target_.at(x, y)];
+        if (match.x < 0) continue;
+        sources[target_.at(x, y)] = {static_cast<std::int32_t>(example_.padded(match.x, match.y)),
+                                     static_cast<std::uint32_t>(turnOf(x, y, match.x, match.y))};
+      }
+    }
     std::vector<PatchPixel> result = target_.pixels;
 #pragma omp parallel for schedule(dynamic, 4)
     for (int y = 0; y < target_.height; ++y) {
       for (int x = 0; x < target_.width; ++x) {
         if (!target_.leaf[target_.at(x, y)]) continue;
-        float l = 0, a = 0, b = 0, total = 0;
+        Lanes sum{};
+        float total = 0;
         for (int k = 0; k < kPatch; ++k) {
           const int px = x - (k % 5 - kRadius), py = y - (k / 5 - kRadius);
           if (px < 0 || py < 0 || px >= target_.width || py >= target_.height) continue;
-          const Match& match = field_[target_.at(px, py)];
-          if (match.x < 0) continue;
-          const size_t turn = turnOf(px, py, match.x, match.y);
-          const int steps = offsets_.steps(turn)[static_cast<size_t>(k)];
-          const PatchPixel& pixel =
-              example_
-                  .pixels[static_cast<size_t>(static_cast<std::ptrdiff_t>(example_.padded(match.x, match.y)) + steps)];
+          const Source& source = sources[target_.at(px, py)];
+          if (source.place < 0) continue;
+          const int steps = offsets_.steps(source.turn)[static_cast<size_t>(k)];
+          const PatchPixel& pixel = example_.pixels[static_cast<size_t>(source.place + steps)];
           if (pixel.penalty > 0) continue;
           const float weight = weights[static_cast<size_t>(k)];
-          l += weight * pixel.l, a += weight * pixel.a, b += weight * pixel.b, total += weight;
+          sum += weight * lanesOf(pixel);
+          total += weight;
         }
         if (total > 0) {
           PatchPixel& pixel = result[target_.padded(x, y)];
-          pixel.l = l / total, pixel.a = a / total, pixel.b = b / total;
+          pixel.l = sum[0] / total, pixel.a = sum[1] / total, pixel.b = sum[2] / total;
         }
       }
     }
@@ -213,6 +242,15 @@ class Level {
     return top * (1 - fy) + bottom * fy;
   }
 
+  bool patchIsWhole(int x, int y) const {
+    for (int dy = -kRadius; dy <= kRadius; ++dy) {
+      for (int dx = -kRadius; dx <= kRadius; ++dx) {
+        if (target_.pixels[target_.padded(x + dx, y + dy)].penalty > 0) return false;
+      }
+    }
+    return true;
+  }
+
   size_t turnOf(int x, int y, int ex, int ey) const {
     const size_t t = target_.at(x, y), e = example_.at(ex, ey);
     return Offsets::turn(target_.angle[t], target_.side[t], example_.angle[e], example_.side[e]);
@@ -230,14 +268,18 @@ class Level {
     const std::array<int, kPatch>& steps = offsets_.steps(turnOf(x, y, ex, ey));
     const PatchPixel* from = &example_.pixels[example_.padded(ex, ey)];
     const PatchPixel* to = &target_.pixels[target_.padded(x, y)];
+    const bool whole = whole_[t] != 0;
     for (int row = 0; row < 5; ++row) {
+      const PatchPixel* across = to + (row - kRadius) * target_.stride - kRadius;
+      const int* step = &steps[static_cast<size_t>(5 * row)];
+      Lanes squares{};
       for (int k = 0; k < 5; ++k) {
-        const PatchPixel& p = to[(row - kRadius) * target_.stride + k - kRadius];
-        const PatchPixel& q = from[steps[static_cast<size_t>(5 * row + k)]];
-        const float l = p.l - q.l, a = p.a - q.a, b = p.b - q.b;
         // Where the target itself is off its leaf nothing is compared.
-        sum += p.penalty > 0 ? 0 : q.penalty > 0 ? q.penalty : l * l + a * a + b * b;
+        if (!whole && across[k].penalty > 0) continue;
+        const Lanes difference = lanesOf(across[k]) - lanesOf(from[step[k]]);
+        squares += difference * difference;
       }
+      sum += (squares[0] + squares[1]) + (squares[2] + squares[3]);
       if (sum >= limit) return sum;
     }
     return sum;
@@ -261,7 +303,9 @@ class Level {
 
   void tryRandom(Match& best, int x, int y, std::uint32_t round) const {
     std::uint32_t bits = hash(seed_, number_ * 64 + round, static_cast<std::uint32_t>(target_.at(x, y)), 77);
-    for (int radius = std::max(example_.width, example_.height) / 2; radius >= 1; radius /= 2) {
+    // Far places were tried on the coarser levels, where each try is worth more.
+    const int widest = std::max(example_.width, example_.height) / 2;
+    for (int radius = number_ == 0 ? widest : std::min(widest, kFineReach); radius >= 1; radius /= 2) {
       bits = pcg(bits);
       const int dx = static_cast<int>(bits % static_cast<std::uint32_t>(2 * radius + 1)) - radius;
       bits = pcg(bits);
@@ -329,6 +373,7 @@ class Level {
   quint64 seed_;
   std::uint32_t number_;
   std::vector<Match> field_;
+  std::vector<std::uint8_t> whole_;  ///< the patch lies on the leaf altogether
   std::vector<Place> places_;
 };
 

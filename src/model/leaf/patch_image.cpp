@@ -9,7 +9,7 @@ namespace windfall::model {
 
 namespace {
 
-constexpr float kOffLeaf = 600;
+constexpr float kOffLeaf = 24.5f;  ///< squared: the cost of a pixel where a patch reaches off the leaf
 
 cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::Size full, cv::Size size,
                  const cv::Mat1f& small) {

@@ -14,7 +14,7 @@ inline constexpr int kPatchPadding = 4;
 
 struct PatchPixel {
   float l = 0, a = 0, b = 0;
-  float penalty = 0;  ///< added where a patch reaches off the leaf
+  float penalty = 0;  ///< off the leaf: its square is added to a patch that reaches there
 };
 
 struct PatchGuide {

@@ -121,7 +121,21 @@ std::vector<float> classicColours(const LeafStages& target, const LeafStages& ex
   return result;
 }
 
-/// Patches of the example, coarse to fine; the coarsest leaf is about 128 pixels long.
+/// Three floats a pixel of a leaf, enlarged to `size`; what lies off the leaf takes the nearest colour first.
+std::vector<float> enlarged(std::vector<float> colours, const PatchImage& level, cv::Size size) {
+  const cv::Mat3f lab(level.height, level.width, reinterpret_cast<cv::Vec3f*>(colours.data()));
+  cv::Mat1b leaf(level.height, level.width);
+  for (int y = 0; y < leaf.rows; ++y) {
+    for (int x = 0; x < leaf.cols; ++x) leaf(y, x) = level.leaf[level.at(x, y)] ? 255 : 0;
+  }
+  cv::Mat4b large;
+  cv::resize(rgbaView(spreadColours(fromLab(lab, leaf))), large, size, 0, 0, cv::INTER_CUBIC);
+  const cv::Mat3f result = toLab(toRgba(large));
+  return {reinterpret_cast<const float*>(result.datastart), reinterpret_cast<const float*>(result.dataend)};
+}
+
+/// Patches of the example, coarse to fine; the coarsest leaf is about 128 pixels long. The finest level is as fine as
+/// the example's photo: between its pixels there is nothing to find.
 std::vector<float> guidedColours(const LeafStages& target, const LeafStages& example, const std::vector<float>& colours,
                                  const std::vector<int>& match, quint64 seed, Progress& progress) {
   const VeinFrame targetFrame =
@@ -130,13 +144,20 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
       findVeinFrame(example.seen, example.toWorking(example.root), example.toWorking(example.tip));
   const double length = QLineF(target.root, target.tip).length() * target.scale;
   const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
+  const int finest =
+      std::clamp(static_cast<int>(std::floor(std::log2(std::max(1.0, example.scale / 1.2)))), 0, levels - 1);
   std::vector<GuidedLevel> pyramid;
-  for (int n = levels - 1; n >= 0; --n) {
+  for (int n = levels - 1; n >= finest; --n) {
     const double factor = std::exp2(n);
     pyramid.push_back({makePatchImage(target.grown, targetFrame, nullptr, factor),
                        makePatchImage(example.seen, exampleFrame, colours.data(), factor)});
   }
-  return synthesizeGuided(std::move(pyramid), match, seed, progress);
+  if (finest == 0) return synthesizeGuided(std::move(pyramid), match, seed, progress);
+  const PatchImage last = pyramid.back().target;
+  std::vector<float> result = synthesizeGuided(std::move(pyramid), match, seed, progress);
+  if (result.empty()) return result;
+  const QSize size = target.grown.distance.size;
+  return enlarged(std::move(result), last, {size.width(), size.height()});
 }
 
 }  // namespace
