@@ -8,15 +8,8 @@ namespace windfall::app {
 
 namespace {
 constexpr DeclareCommand kCommands[] = {
-    declareAtlas,
-    declareBench,
-    declareCheck,
-    declareLeaf,
-    declareNew,
-    declarePlant,
-    declareRender,
-    declareSimulate,
-    declareShot,
+    declareAtlas, declareBench,  declareCheck,    declareLeaf, declareNew,
+    declarePlant, declareRender, declareSimulate, declareShot,
 };
 }  // namespace
 

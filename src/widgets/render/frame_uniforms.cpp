@@ -9,7 +9,7 @@ namespace windfall::render {
 
 namespace {
 
-constexpr float kNear = 0.05f;      // m
+constexpr float kNear = 0.05f;     // m
 constexpr float kExposure = 1.2f;  // of a clear day, in the sky model's units
 const vec3 kAccent(0.05f, 0.42f, 0.95f);
 
