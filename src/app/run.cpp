@@ -1,6 +1,7 @@
 #include "app/run.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <cstdio>
 
@@ -41,6 +42,15 @@ int run(int argc, char** argv) {
     return action();
   }
   editor.project = text(project);
+  if (!editor.project.isEmpty() && !QFileInfo::exists(editor.project)) {
+    return fail(editor.project, QStringLiteral("there is no such project, and no such command (see --help)"));
+  }
+  // Qt ends the process where it finds no display.
+  const bool display = !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+                       !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+  if (!display) {
+    return fail({}, QStringLiteral("the editor needs a display; render and shot make pictures without one"));
+  }
   editor.shot = {text(shotFile), text(shotWorkspace), QSize(shotWidth, shotHeight)};
   return runEditor(argc, argv, editor);
 }

@@ -22,7 +22,8 @@ struct WindSettings {
 /// Leaves that come loose and fall (falling_leaves.md; release by tree_dynamics.md, 9).
 struct LeafSettings {
   std::int32_t count = 2000;  ///< leaves in the scene
-  float season = 0.75f;       ///< 0 green and firm .. 1 ready to drop
+  /// 0 green and firm .. 1 ready to drop; half-way a breeze takes about one leaf in a hundred each second.
+  float season = 0.5f;
   float spawnHeight = 0;      ///< m; above 0: leaves start loose at this height over a disc instead of on the trees
   float massPerArea = 0.10f;  ///< kg/m2
   bool respawn = false;       ///< a leaf on the ground grows again at its place after a while

@@ -48,6 +48,7 @@ class ProjectCommandsTest : public QObject {
   void checkNamesWhatIsWrong();
   void checkRefusesWhatIsNoProject();
   void usageIsTwo();
+  void editorSaysWhyItCannotOpen();
   void newRefusesAPhotoWithoutALeaf();
   void newRefusesFilesThatAreNotThere();
   void newMakesTheSameSampleTwice();
@@ -97,6 +98,20 @@ void ProjectCommandsTest::usageIsTwo() {
   QCOMPARE(windfallRun({"new"}).status, 2);
   QCOMPARE(windfallRun({"new", "-o", at("x.windfall"), "--nonsense"}).status, 2);
   QVERIFY(!QFileInfo::exists(at("x.windfall")));
+}
+
+void ProjectCommandsTest::editorSaysWhyItCannotOpen() {
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) environment.remove(display);
+  const auto errorsOf = [&](const QStringList& arguments) {
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(WINDFALL_PROGRAM, arguments);
+    process.waitForFinished();
+    return QString::number(process.exitCode()) + ' ' + QString::fromUtf8(process.readAllStandardError());
+  };
+  QCOMPARE(errorsOf({}), "1 windfall: the editor needs a display; render and shot make pictures without one\n");
+  QCOMPARE(errorsOf({"bogus"}), "1 windfall: bogus: there is no such project, and no such command (see --help)\n");
 }
 
 void ProjectCommandsTest::newRefusesAPhotoWithoutALeaf() {
