@@ -124,7 +124,7 @@ LinkView CpuEngine::linkView() const {
 }
 
 void CpuEngine::followLeaves() {
-  if (steps_ % kLeafInterval != 0 || !leaves_.takeReleasedArea(lostArea_)) return;
+  if (steps_ % kLeafInterval != 0 || !leaves_.findLostArea(lostArea_)) return;
   double change = 0;
   for (std::size_t i = 0; i < lostArea_.size(); ++i) {
     change += static_cast<double>(std::abs(lostArea_[i] - trees_.lostArea()[i]));

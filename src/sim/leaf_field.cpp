@@ -72,14 +72,13 @@ std::int64_t LeafField::landed() const { return storage_->arrays.totals->landed;
 
 double LeafField::fallTimeSum() const { return static_cast<double>(storage_->arrays.totals->fallMicroseconds) * 1e-6; }
 
-bool LeafField::takeReleasedArea(std::span<float> area) {
-  LeafStorage& s = *storage_;
+bool LeafField::findLostArea(std::span<float> area) const {
+  const LeafStorage& s = *storage_;
   bool changed = false;
-  for (std::size_t link = 0; link < s.told.size() && link < area.size(); ++link) {
-    const std::int32_t lost = s.arrays.lost[link];
-    if (lost == s.told[link]) continue;
-    area[link] += static_cast<float>(lost - s.told[link]) * s.leafShare[link];
-    s.told[link] = lost;
+  for (std::size_t link = 0; link < s.leafShare.size() && link < area.size(); ++link) {
+    const float lost = static_cast<float>(s.arrays.lost[link]) * s.leafShare[link];
+    if (lost == area[link]) continue;
+    area[link] = lost;
     changed = true;
   }
   return changed;

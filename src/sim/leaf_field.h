@@ -48,10 +48,9 @@ class LeafField {
   std::int64_t landed() const;
   double fallTimeSum() const;
 
-  /// Adds to `area` (m2, one value a link) what each link lost since the last call; a leaf stands for an equal share of
-  /// its link's leafArea, and one that grows again (or comes back by reset() or restore()) gives its share back.
-  /// False: nothing changed.
-  bool takeReleasedArea(std::span<float> area);
+  /// Sets `area` (m2, one value a link) to what each link has lost; a leaf stands for an equal share of its link's
+  /// leafArea, and one that grows again gives its share back. False: nothing changed.
+  bool findLostArea(std::span<float> area) const;
 
   /// All leaves back to where they started, generation 0.
   void reset();

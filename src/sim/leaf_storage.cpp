@@ -126,7 +126,6 @@ LeafStorage makeLeafStorage(const SceneDescription& scene) {
     a.layer[i] = site.layer;
     ++perLink[place.link];
   }
-  storage.told.assign(links, 0);
   storage.leafShare.assign(links, 0);
   std::uint32_t link = 0;
   for (const TreeInstance& instance : scene.trees) {

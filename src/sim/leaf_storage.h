@@ -31,10 +31,9 @@ struct LeafStorage {
   double time = 0;      ///< s, end of the last step
   float dt = 1.f / 60;  ///< s, of the last step
   std::uint32_t stepNumber = 0;
-  bool swapped = false;            ///< the arrays' two sides have changed places an odd number of times
-  vec3 spawnCentre{0};             ///< m, below which loose leaves start
-  std::vector<float> leafShare;    ///< m2 a link: what one of its leaves stands for
-  std::vector<std::int32_t> told;  ///< `lost` a link, at the last takeReleasedArea()
+  bool swapped = false;          ///< the arrays' two sides have changed places an odd number of times
+  vec3 spawnCentre{0};           ///< m, below which loose leaves start
+  std::vector<float> leafShare;  ///< m2 a link: what one of its leaves stands for
 
   std::byte* block() const;
   /// Spawn height in force: the setting, or 10 m where no tree has a site.

@@ -169,15 +169,15 @@ TEST_CASE("reset brings back the start") {
 TEST_CASE("a link loses a leaf's share of its area, and gets it back on reset") {
   LeafStage stage(leavesOnPole(500, 1));
   std::vector<float> area(1, 0.0f);
-  CHECK_FALSE(stage.field.takeReleasedArea(area));
+  CHECK_FALSE(stage.field.findLostArea(area));
   run(stage, 120);
-  CHECK(stage.field.takeReleasedArea(area));
+  CHECK(stage.field.findLostArea(area));
   const int gone = 500 - stage.field.counts().attached;
   CHECK(gone > 0);
   CHECK(area[0] == doctest::Approx(0.003 * gone));
-  CHECK_FALSE(stage.field.takeReleasedArea(area));
+  CHECK_FALSE(stage.field.findLostArea(area));
   stage.field.reset();
-  CHECK(stage.field.takeReleasedArea(area));
+  CHECK(stage.field.findLostArea(area));
   CHECK(area[0] == doctest::Approx(0).epsilon(1e-4));
 }
 
