@@ -156,7 +156,7 @@ WINDFALL_HD void land(const LeafArrays& a, std::uint32_t i, const LeafStep& step
   addTo(a.totals->airborne, -1);
   addTo(a.totals->grounded, 1);
   addTo(a.totals->landed, std::int64_t{1});
-  addTo(a.totals->fallMicroseconds, static_cast<std::int64_t>(static_cast<double>(airborne) * 1e6 + 0.5));
+  addTo(a.totals->fallMicroseconds, static_cast<std::int64_t>(llround(static_cast<double>(airborne) * 1e6)));
 }
 
 /// Sliding leaf i: slows by friction and lies down; rests when it has done both.

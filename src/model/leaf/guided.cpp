@@ -41,7 +41,8 @@ class Offsets {
       for (int angle = 0; angle < kAngles; ++angle) {
         const double turn = 2 * std::numbers::pi * angle / kAngles, c = std::cos(turn), s = std::sin(turn);
         for (int k = 0; k < kPatch; ++k) {
-          const double dx = k % 5 - kRadius, dy = (k / 5 - kRadius) * (mirrored ? -1 : 1);
+          const int column = k % 5 - kRadius, row = k / 5 - kRadius;
+          const double dx = column, dy = mirrored ? -row : row;
           const int x = static_cast<int>(std::lround(c * dx - s * dy)),
                     y = static_cast<int>(std::lround(s * dx + c * dy));
           const auto n = static_cast<size_t>(k);
