@@ -2,12 +2,12 @@
 
 #include <QPointer>
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "model/plant/live_edits.h"
 #include "widgets/viewport/scene_content.h"
+#include "widgets/viewport/scene_view.h"
 
 namespace windfall::widgets {
 namespace {
@@ -19,12 +19,6 @@ sim::Placement toPlacement(const model::TreePlacement& tree) {
 }
 
 }  // namespace
-
-vec3 toSun(const model::Light& light) {
-  const double azimuth = light.azimuth * kDegrees, elevation = light.elevation * kDegrees;
-  return {static_cast<float>(std::sin(azimuth) * std::cos(elevation)), static_cast<float>(std::sin(elevation)),
-          static_cast<float>(-std::cos(azimuth) * std::cos(elevation))};
-}
 
 SceneFeed::SceneFeed(model::Document& document, model::JobRunner& jobs, SimulationController& controller,
                      const QString& slot, Source source, QObject* parent)
@@ -131,7 +125,8 @@ bool SceneFeed::follow(const model::Change& change) {
       }
       return true;
     case model::Aspect::Light:
-      if (project) controller_.setView(toSun(project->scene.light), static_cast<float>(project->scene.light.strength));
+      if (project)
+        controller_.setView(sunDirection(project->scene.light), static_cast<float>(project->scene.light.strength));
       return true;
     default:
       return false;
@@ -184,7 +179,7 @@ void SceneFeed::passTrees(model::AssetId plant) {
 
 void SceneFeed::passSettings(const model::Project& project) {
   const model::Scene& scene = project.scene;
-  controller_.setView(toSun(scene.light), static_cast<float>(scene.light.strength));
+  controller_.setView(sunDirection(scene.light), static_cast<float>(scene.light.strength));
   if (!assembly_) return;
   if (scene.wind != assembly_->scene.sim.wind) controller_.setWind(scene.wind);
   if (scene.leaves != assembly_->scene.sim.leaves) controller_.setLeaves(scene.leaves);

@@ -74,7 +74,4 @@ class SceneFeed : public QObject {
   bool restore_ = false;
 };
 
-/// Direction to the sun of a light.
-vec3 toSun(const model::Light& light);
-
 }  // namespace windfall::widgets
