@@ -3,6 +3,8 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "model/leaf/quality_bench.h"
 #include "model/leaf/texture_bench.h"
 #include "sim/bench.h"
 
@@ -11,9 +13,18 @@ namespace windfall::app {
 namespace {
 
 struct BenchOptions {
-  std::string filter, json;
-  int rounds = 7;
+  std::string filter, json, photos;
+  int rounds = 7, pairs = 6;
 };
+
+/// `json` without its last brace, and the rows of the quality beside the times.
+std::string withQuality(std::string json, const std::vector<model::QualityRow>& rows) {
+  json.resize(json.rfind('}'));
+  while (!json.empty() && json.back() == '\n') json.pop_back();
+  json += ",\n  \"quality\": [";
+  for (std::size_t i = 0; i < rows.size(); ++i) json += (i ? ",\n    " : "\n    ") + model::qualityJson(rows[i]);
+  return json + "\n  ]\n}\n";
+}
 
 int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
@@ -25,11 +36,26 @@ int bench(const BenchOptions& options) {
     std::printf("%s\n", sim::benchmarkTable(results.back()).c_str());
     std::fflush(stdout);
   }
-  if (results.empty())
-    return fail(QString(), QStringLiteral("no benchmark has a name with \"%1\"").arg(text(options.filter)));
+  const std::string quality = "leaf.quality";
+  std::vector<model::QualityRow> rows;
+  bool any = !results.empty();
+  if (quality.find(options.filter) != std::string::npos) {
+    any = true;
+    InterruptProgress progress;
+    const QString photos = options.photos.empty() ? qEnvironmentVariable("WINDFALL_PHOTOS") : text(options.photos);
+    rows = model::benchQuality(
+        {photos, 4, options.pairs, 512},
+        [](const std::string& line) {
+          std::printf("%s\n", line.c_str());
+          std::fflush(stdout);
+        },
+        progress);
+    if (progress.cancelled()) return fail(QString(), Error{"cancelled", true});
+  }
+  if (!any) return fail(QString(), QStringLiteral("no benchmark has a name with \"%1\"").arg(text(options.filter)));
   if (options.json.empty()) return 0;
   QSaveFile file(text(options.json));
-  const std::string json = sim::benchmarkJson(results);
+  const std::string json = withQuality(sim::benchmarkJson(results), rows);
   const bool written =
       file.open(QIODevice::WriteOnly) && file.write(json.data(), static_cast<qint64>(json.size())) >= 0;
   return written && file.commit() ? 0 : fail(text(options.json), file.errorString());
@@ -43,6 +69,11 @@ void declareBench(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
   command->add_option("--filter", options->filter, "Only benchmarks with this in their name");
   command->add_option("--json", options->json, "Write the results to this file too");
+  command->add_option("--photos", options->photos,
+                      "Folder of leaf photographs for leaf.quality (default: the environment's WINDFALL_PHOTOS)");
+  command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Rounds that each contender runs")->check(CLI::Range(1, 1000));
   command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }

@@ -14,35 +14,11 @@
 #include "model/leaf/stages.h"
 #include "model/leaf/superpixels.h"
 #include "model/leaf/vein_frame.h"
+#include "model/leaf/working_colours.h"
 
 namespace windfall::model {
 
 namespace {
-
-/// The photo in working size as Lab, three floats a pixel. Colours at the margin come from a little inside the leaf, so
-/// that nothing of the ground shines through.
-std::vector<float> workingColours(const LeafStages& stages) {
-  const QSize size = stages.grown.distance.size;
-  QImage photo = stages.photo;
-  const int margin = std::max(2, std::max(stages.frame.width(), stages.frame.height()) / 340);
-  cv::Mat1b solid;
-  cv::erode(grayView(stages.mask), solid,
-            cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * margin + 1, 2 * margin + 1}), {-1, -1}, 1,
-            cv::BORDER_CONSTANT, 0);
-  if (cv::countNonZero(solid) == 0) solid = grayView(stages.mask).clone();
-  cv::Mat4b pixels = rgbaView(photo).clone();
-  for (int y = 0; y < pixels.rows; ++y) {
-    for (int x = 0; x < pixels.cols; ++x) pixels(y, x)[3] = solid(y, x);
-  }
-  const QRect& f = stages.frame;
-  pixels = pixels(cv::Rect(f.x(), f.y(), f.width(), f.height()));
-  const cv::Mat4b spread = rgbaView(spreadColours(toRgba(pixels))).clone();
-  cv::Mat4b sized;
-  const bool smaller = size.width() < f.width();
-  cv::resize(spread, sized, {size.width(), size.height()}, 0, 0, smaller ? cv::INTER_AREA : cv::INTER_CUBIC);
-  const cv::Mat3f lab = toLab(toRgba(sized));
-  return {reinterpret_cast<const float*>(lab.datastart), reinterpret_cast<const float*>(lab.dataend)};
-}
 
 /// A colour a superpixel, painted and smoothed.
 std::vector<float> smoothLayer(const LeafStructure& structure, const std::vector<SuperpixelMean>& colours, double w1) {
