@@ -62,7 +62,7 @@ void Editor::startAutosave() {
   QObject::connect(autosave_.get(), &model::Autosave::failed, window_.get(),
                    [this](const QString& text) { window_->messages().showMessage(text, true); });
   if (left.empty()) return;
-  const model::Recovery recovery = left.front();
+  const model::Recovery& recovery = left.front();
   const QString name = recovery.original.isEmpty() ? QCoreApplication::translate("Editor", "an unsaved project")
                                                    : QFileInfo(recovery.original).fileName();
   window_->messages().offer(

@@ -8,7 +8,8 @@ WINDFALL_TARGETS void windRange(const WindMoment& wind, const WindLattice& latti
                                 vec4* nodes) {
   const std::size_t nx = static_cast<std::size_t>(lattice.nx), ny = static_cast<std::size_t>(lattice.ny);
   for (std::size_t i = begin; i < end; ++i) {
-    const vec3 index(static_cast<float>(i % nx), static_cast<float>(i / nx % ny), static_cast<float>(i / (nx * ny)));
+    const std::size_t x = i % nx, y = i / nx % ny, z = i / (nx * ny);
+    const vec3 index(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
     nodes[i] = vec4(windVelocity(wind, lattice.origin + index * lattice.spacing), 0);
   }
 }

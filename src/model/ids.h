@@ -10,7 +10,7 @@ namespace windfall::model {
 struct AssetId {
   quint64 value = 0;
   explicit operator bool() const { return value != 0; }
-  auto operator<=>(const AssetId&) const = default;
+  auto operator<=>(const AssetId&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 misreads <=>
 };
 
 inline size_t qHash(AssetId id, size_t seed = 0) { return ::qHash(id.value, seed); }

@@ -49,7 +49,8 @@ LeafArrays leafArraysIn(void* block, std::uint32_t leaves, std::uint32_t links) 
 }
 
 std::byte* LeafStorage::block() const {
-  return reinterpret_cast<std::byte*>(padded(reinterpret_cast<std::uintptr_t>(memory.get())));
+  const auto address = reinterpret_cast<std::uintptr_t>(memory.get());
+  return memory.get() + (padded(address) - address);
 }
 
 LeafStep LeafStorage::stepAt(double at, float length) const {

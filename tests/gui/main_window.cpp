@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "app/editor.h"
+#include "model/document/project_file.h"
 #include "support/painted_leaf.h"
 #include "support/suite.h"
 #include "widgets/leaf/image_pane.h"
@@ -194,6 +195,29 @@ class MainWindowTest : public QObject {
     QCOMPARE(leaf().pane().center(), QPointF(200, 300));
     QVERIFY(leaf().stageBar().chip(model::Stage::Contour)->isChecked());
     QVERIFY(!window().isWindowModified());
+  }
+
+  void editsMadeWhileTheProjectIsWrittenStayUnsaved() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("wood.windfall"));
+    document().addLeaf(test::paintedLeaf());
+    window().files().startSaving(path);
+    document().addLeaf(test::paintedLeaf());
+    QTRY_COMPARE(document().path(), path);
+    QVERIFY(window().isWindowModified());
+    window().files().save();
+    QTRY_VERIFY(!window().isWindowModified());
+    model::Progress progress;
+    QCOMPARE(model::readProject(path, progress)->leaves.size(), std::size_t(2));
+  }
+
+  void aFolderThatTakesNoFileIsToldAndTheEditsStayUnsaved() {
+    QTemporaryDir folder;
+    document().addLeaf(test::paintedLeaf());
+    QVERIFY(!window().files().saveTo(folder.filePath(QStringLiteral("missing/wood.windfall"))));
+    QVERIFY(window().messages().isError());
+    QVERIFY(window().isWindowModified());
+    QVERIFY(document().path().isEmpty());
   }
 
   void aProjectThatCannotBeReadChangesNothing() {

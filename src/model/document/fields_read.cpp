@@ -39,7 +39,7 @@ void FieldReader::fail(const QString& place, const QString& message) {
 
 QJsonValue FieldReader::get(const char* key, QJsonValue::Type type) {
   if (failed()) return QJsonValue::Undefined;
-  const QJsonValue value = object_.value(QLatin1String(key));
+  QJsonValue value = object_.value(QLatin1String(key));
   if (value.isUndefined() || value.type() == type) return value;
   fail(inside(key), QStringLiteral("is not %1").arg(typeName(type)));
   return QJsonValue::Undefined;

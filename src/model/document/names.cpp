@@ -12,7 +12,7 @@ QString uniqueName(const QString& wanted, const QStringList& taken, const QStrin
   const QRegularExpressionMatch match = numbered.match(name);
   const QString stem = match.hasMatch() ? match.captured(1) : name;
   for (int number = match.hasMatch() ? match.captured(2).toInt() + 1 : 2;; ++number) {
-    const QString candidate = QStringLiteral("%1 %2").arg(stem).arg(number);
+    QString candidate = QStringLiteral("%1 %2").arg(stem).arg(number);
     if (!taken.contains(candidate)) return candidate;
   }
 }

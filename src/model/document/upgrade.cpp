@@ -13,10 +13,11 @@ namespace {
 /// Schema 0: leaves stood in a plain array, their length in centimetres.
 QJsonObject fromZero(QJsonObject document) {
   QJsonArray items;
-  for (const QJsonValue& value : document[QStringLiteral("leaves")].toArray()) {
+  const QJsonArray old = document[QStringLiteral("leaves")].toArray();
+  for (const auto& value : old) {
     QJsonObject leaf = value.toObject();
-    const QString old = QStringLiteral("lengthInCentimetres");
-    if (leaf[old].isDouble()) leaf[QStringLiteral("bladeLength")] = leaf.take(old).toDouble() / 100;
+    const QString length = QStringLiteral("lengthInCentimetres");
+    if (leaf[length].isDouble()) leaf[QStringLiteral("bladeLength")] = leaf.take(length).toDouble() / 100;
     items.append(leaf);
   }
   document[QStringLiteral("leaves")] = QJsonObject{{QStringLiteral("version"), 1}, {QStringLiteral("leaves"), items}};

@@ -49,7 +49,7 @@ Status AtlasExporter::write(const Project& project, AssetId asset, const QString
   if (progress.cancelled()) return Error{"cancelled", true};
   const QFileInfo target(path);
   const QString beside = target.path() + '/' + target.completeBaseName() + QStringLiteral(".json");
-  if (const Status written = writeDurably(path, png); !written) return written;
+  if (Status written = writeDurably(path, png); !written) return written;
   if (const Status written = writeDurably(beside, QJsonDocument(description).toJson()); !written) {
     return Error{QFileInfo(beside).fileName().toStdString() + ": " + written.error().message};
   }

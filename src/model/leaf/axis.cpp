@@ -86,7 +86,7 @@ double widthAcross(const cv::Mat1b& mask, cv::Point2d at, cv::Point2d along) {
   const cv::Point2d across(-along.y, along.x);
   double width = 1;
   for (const double side : {-1.0, 1.0}) {
-    for (double t = 1; t < mask.cols + mask.rows; t += 1) {
+    for (int t = 1; t < mask.cols + mask.rows; ++t) {
       const cv::Point p(at + side * t * across);
       if (p.x < 0 || p.y < 0 || p.x >= mask.cols || p.y >= mask.rows || !mask(p)) break;
       width += 1;

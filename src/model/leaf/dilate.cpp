@@ -8,7 +8,7 @@
 namespace windfall::model {
 
 QImage spreadColours(const QImage& image, int solid) {
-  const QImage source = image.convertToFormat(QImage::Format_RGBA8888);
+  QImage source = image.convertToFormat(QImage::Format_RGBA8888);
   const cv::Mat4b pixels = rgbaView(source);
   cv::Mat1b open(pixels.size());
   int known = 0;

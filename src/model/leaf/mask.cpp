@@ -55,9 +55,9 @@ class Ground {
     };
     for (const cv::Vec3f& pixel : pixels) ++cells[static_cast<size_t>(cell(pixel))];
     const auto fullest = static_cast<int>(std::max_element(cells.begin(), cells.end()) - cells.begin());
-    cv::Vec3f colour(6.5f * (static_cast<float>(fullest / 1024) + 0.5f),
-                     8 * (static_cast<float>(fullest / 32 % 32) + 0.5f) - 128,
-                     8 * (static_cast<float>(fullest % 32) + 0.5f) - 128);
+    const int lightness = fullest / 1024, a = fullest / 32 % 32, b = fullest % 32;
+    cv::Vec3f colour(6.5f * (static_cast<float>(lightness) + 0.5f), 8 * (static_cast<float>(a) + 0.5f) - 128,
+                     8 * (static_cast<float>(b) + 0.5f) - 128);
     for (int round = 0; round < 8; ++round) {
       cv::Vec3d sum(0, 0, 0);
       int count = 0;

@@ -189,7 +189,7 @@ class Computation {
                        .convertToFormat(QImage::Format_RGBA8888);
     const QPointF root = result_.toWorking(result_.root);
     const std::vector<Tissue> seen = extractVeins(sized, types_, root.toPoint());
-    if (const Status status = measure(seen, result_.seen); !status) return status;
+    if (Status status = measure(seen, result_.seen); !status) return status;
     result_.seen.regions = growRegions(seen, size_, automaticMarkers(seen, size_));
     result_.seen.superpixels = makeSuperpixels(result_.seen.distance, result_.seen.regions, count);
     return ok();

@@ -39,8 +39,8 @@ LabelField makeSuperpixels(const ScalarField& distance, const LabelField& region
     const auto first =
         static_cast<size_t>(std::find_if(regions.values.begin(), regions.values.end(), [](qint32 r) { return r > 0; }) -
                             regions.values.begin());
-    centres.push_back({static_cast<double>(first % static_cast<size_t>(width)),
-                       static_cast<double>(first / static_cast<size_t>(width)), distance.values[first]});
+    const size_t row = first / static_cast<size_t>(width), column = first % static_cast<size_t>(width);
+    centres.push_back({static_cast<double>(column), static_cast<double>(row), distance.values[first]});
   }
   const double weight = kCompactness * kCompactness / (spacing * spacing);
   std::vector<float> nearest(distance.values.size());

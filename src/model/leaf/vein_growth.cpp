@@ -79,7 +79,8 @@ class LeafGrid {
     Polygon path;
     for (int index = goal.y * depth_.cols + goal.x; index >= 0;
          index = before(index / depth_.cols, index % depth_.cols)) {
-      path.emplace_back((index % depth_.cols - 0.5) / scale_, (index / depth_.cols - 0.5) / scale_);
+      const int row = index / depth_.cols, column = index % depth_.cols;
+      path.emplace_back((column - 0.5) / scale_, (row - 0.5) / scale_);
     }
     std::reverse(path.begin(), path.end());
     path.front() = from;

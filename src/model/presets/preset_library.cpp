@@ -75,7 +75,7 @@ Status PresetLibrary::save(Preset preset) {
   preset.name = good->name;
   if (!QDir().mkpath(folder_)) return Error{"the folder " + folder_.toStdString() + " cannot be made"};
   preset.file = QDir(folder_).filePath(fileName(preset));
-  if (const Status written = writeDurably(preset.file, presetToJson(preset)); !written) return written;
+  if (Status written = writeDurably(preset.file, presetToJson(preset)); !written) return written;
   std::erase_if(presets_, [&](const Preset& other) { return other.file == preset.file; });
   presets_.push_back(std::move(preset));
   return ok();

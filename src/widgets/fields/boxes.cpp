@@ -36,7 +36,8 @@ void CheckBox::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!isEnabled()) painter.setOpacity(0.4);
-  const QRectF box(0.5, (height() - 16) / 2 + 0.5, 15, 15);
+  const int top = (height() - 16) / 2;
+  const QRectF box(0.5, top + 0.5, 15, 15);
   const bool on = checkState() != Qt::Unchecked;
   painter.setPen(QPen(on ? c.accent : underMouse() || hasFocus() ? c.muted : c.border, 1));
   painter.setBrush(on ? c.accent : c.field);

@@ -12,7 +12,7 @@
 namespace windfall::widgets {
 
 Dial::Dial(QWidget* parent) : QWidget(parent) {
-  setFixedSize(sizeHint());
+  setFixedSize(Dial::sizeHint());
   setCursor(Qt::PointingHandCursor);
 }
 

@@ -126,9 +126,11 @@ NumberField* LeafInspector::number(FieldGroup* group, const QString& label, cons
                                    std::function<double(const LeafParameters&)> get,
                                    std::function<void(LeafParameters&, double)> set) {
   auto* field = group->add(new NumberField(label, spec));
-  connect(field, &NumberField::edited, this,
-          [this, field, set](double value) { edit(field, [&](LeafParameters& p) { set(p, value); }); });
-  refreshers_.push_back([field, get](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
+  connect(field, &NumberField::edited, this, [this, field, set = std::move(set)](double value) {
+    edit(field, [&](LeafParameters& p) { set(p, value); });
+  });
+  refreshers_.push_back(
+      [field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
   return field;
 }
 

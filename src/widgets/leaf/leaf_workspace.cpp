@@ -88,7 +88,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
     }
   });
   const std::vector<Leaf>& leaves = context_.document.project().leaves;
-  if (!leaves.empty()) show(leaves.front().id);
+  if (!leaves.empty()) LeafWorkspace::show(leaves.front().id);
   updateStates();
 }
 
@@ -210,8 +210,8 @@ void LeafWorkspace::makeVariants(int count) {
 QString LeafWorkspace::askForPhoto(const QString& title) {
   QStringList patterns;
   for (const QString& ending : photoEndings()) patterns << QStringLiteral("*.") + ending;
-  const QString path = QFileDialog::getOpenFileName(window_, title, QSettings().value(kPhotoFolder).toString(),
-                                                    tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
+  QString path = QFileDialog::getOpenFileName(window_, title, QSettings().value(kPhotoFolder).toString(),
+                                              tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
   if (!path.isEmpty()) QSettings().setValue(kPhotoFolder, QFileInfo(path).absolutePath());
   return path;
 }

@@ -1,6 +1,7 @@
 #include "widgets/main_window/project_files.h"
 
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -55,43 +56,72 @@ void ProjectFiles::openSample() {
                               [this](model::Project project) { document_.open(std::move(project), {}); });
 }
 
-bool ProjectFiles::save() { return document_.path().isEmpty() ? saveAs() : saveTo(document_.path()); }
+void ProjectFiles::save() {
+  if (document_.path().isEmpty()) return saveAs();
+  startSaving(document_.path());
+}
 
-bool ProjectFiles::saveAs() {
+void ProjectFiles::saveAs() {
+  if (const QString path = askForPath(); !path.isEmpty()) startSaving(path);
+}
+
+QString ProjectFiles::askForPath() {
   const QString folder = QSettings().value(kFolder).toString();
   const QString proposal = document_.path().isEmpty() ? QDir(folder).filePath(name() + kEnding) : document_.path();
   QString path =
       QFileDialog::getSaveFileName(window_, tr("Save Project"), proposal, tr("Windfall projects (*%1)").arg(kEnding));
-  if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += kEnding;
-  return saveTo(path);
+  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += kEnding;
+  return path;
+}
+
+void ProjectFiles::startSaving(const QString& path) {
+  // One after the other: two writers of one file could end in the wrong order.
+  finishSaving();
+  emit aboutToSave();
+  const QString file = QFileInfo(path).fileName();
+  saving_ = jobs_.start<bool>(
+      tr("Saving %1").arg(file), QString(),
+      [project = document_.project(), path, file](model::Progress& progress) -> Result<bool> {
+        if (Status written = model::writeProject(project, path, progress); !written) return written.error();
+        return true;
+      },
+      [this, path, file, revision = document_.revision()](bool) {
+        document_.markSaved(path, revision);
+        addRecentFile(path);
+        QSettings().setValue(kFolder, QFileInfo(path).absolutePath());
+        emit message(tr("Saved %1").arg(file), false);
+      });
 }
 
 bool ProjectFiles::saveTo(const QString& path) {
-  emit aboutToSave();
-  model::Progress progress;
-  const Status saved = document_.save(path, progress);
-  if (!saved) {
-    emit message(
-        tr("%1 was not saved: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(saved.error().message)),
-        true);
-    return false;
-  }
-  addRecentFile(path);
-  QSettings().setValue(kFolder, QFileInfo(path).absolutePath());
-  emit message(tr("Saved %1").arg(QFileInfo(path).fileName()), false);
-  return true;
+  startSaving(path);
+  bool saved = false;
+  const auto listen = connect(this, &ProjectFiles::message, this, [&](const QString&, bool error) { saved = !error; });
+  finishSaving();
+  disconnect(listen);
+  return saved;
+}
+
+void ProjectFiles::finishSaving() {
+  if (!saving_) return;
+  QEventLoop loop;
+  connect(saving_, &model::Job::finished, &loop, &QEventLoop::quit);
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  saving_.clear();
 }
 
 bool ProjectFiles::mayLeave() {
+  finishSaving();
   if (!document_.isModified()) return true;
   QMessageBox question(QMessageBox::NoIcon, tr("Windfall"), tr("Save the changes to “%1”?").arg(name()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   question.setInformativeText(tr("They are lost otherwise."));
   question.setDefaultButton(QMessageBox::Save);
   switch (question.exec()) {
-    case QMessageBox::Save:
-      return save();
+    case QMessageBox::Save: {
+      const QString path = document_.path().isEmpty() ? askForPath() : document_.path();
+      return !path.isEmpty() && saveTo(path);
+    }
     case QMessageBox::Discard:
       return true;
     default:

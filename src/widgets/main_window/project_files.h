@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <functional>
 
 #include "model/document/document.h"
@@ -26,10 +27,13 @@ class ProjectFiles : public QObject {
   /// Reads in the background; on error the message says why and nothing changes.
   void openPath(const QString& path);
   void openSample();
-  bool save();
-  bool saveAs();
+  /// Writes in the background; edits made meanwhile stay unsaved edits. Without a path it asks for one.
+  void save();
+  void saveAs();
+  void startSaving(const QString& path);
+  /// Waits for the file to be whole; false: it was not saved, and the message says why.
   bool saveTo(const QString& path);
-  /// Saves, discards or stays, as the artist decides; true: the project may be left.
+  /// Saves, discards or stays, as the artist decides; true: the project may be left. A save that runs ends first.
   bool mayLeave();
   /// The file's name without folder and ending, or "Untitled".
   QString name() const;
@@ -40,10 +44,15 @@ class ProjectFiles : public QObject {
   void aboutToSave();
 
  private:
+  /// The file that the artist chose, or nothing.
+  QString askForPath();
+  void finishSaving();
+
   model::Document& document_;
   model::JobRunner& jobs_;
   QWidget* window_;
   std::function<Result<model::Project>(model::Progress&)> makeSample_;
+  QPointer<model::Job> saving_;
 };
 
 }  // namespace windfall::widgets

@@ -128,10 +128,10 @@ NumberField* PlantSettings::grower(const QString& key, const QString& label, con
                                    std::function<void(GrowerSettings&, double)> set) {
   auto* field = grower_->add(new NumberField(label, spec));
   field->setObjectName(key);
-  connect(field, &NumberField::edited, this, [this, field, label, set](double value) {
+  connect(field, &NumberField::edited, this, [this, field, label, set = std::move(set)](double value) {
     edit([&](GrowerSettings& g) { set(g, value); }, tr("Change %1 of growth").arg(label.toLower()), field->gesture());
   });
-  shows_.push_back([field, get](const GrowerSettings& settings) { field->setValue(get(settings)); });
+  shows_.push_back([field, get = std::move(get)](const GrowerSettings& settings) { field->setValue(get(settings)); });
   return field;
 }
 
