@@ -6,9 +6,11 @@
 #include <QList>
 #include <QObject>
 #include <QString>
+#include <memory>
 
 #include "model/document/document.h"
 #include "model/document/job.h"
+#include "model/plant/geometry_cache.h"
 
 class QMenu;
 
@@ -18,6 +20,8 @@ namespace windfall::widgets {
 struct WorkspaceContext {
   model::Document& document;
   model::JobRunner& jobs;
+  /// The plant and the scene workspace show the same plants: read or grown once.
+  std::shared_ptr<model::GeometryCache> shapes = std::make_shared<model::GeometryCache>();
 };
 
 /// The widgets are created by the workspace, parented by the main window, and live as long as the workspace.

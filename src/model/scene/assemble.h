@@ -8,6 +8,7 @@
 #include "model/document/project.h"
 #include "model/leaf/atlas.h"
 #include "model/plant/bodies.h"
+#include "model/plant/geometry_cache.h"
 #include "model/progress.h"
 #include "sim/engine.h"
 #include "sim/result.h"
@@ -28,13 +29,13 @@ struct SceneAssembly {
 };
 
 /// The scene without its pictures: what the simulation needs; `leafTextures` stays empty. Scale is folded into each
-/// tree. Errors name the plant.
-Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress);
+/// tree. Errors name the plant. With `shapes` a plant whose shape is kept there is neither read nor grown again.
+Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, GeometryCache* shapes = nullptr);
 
 /// A tree `scale` times as large: lengths and radii, leaf areas by its square, leaves with it.
 sim::Tree scaled(sim::Tree tree, double scale);
 
 /// Loads every plant of the scene, textures its leaves from the kept variants, and describes the simulation.
-Result<SceneAssembly> assembleScene(const Project& project, Progress& progress);
+Result<SceneAssembly> assembleScene(const Project& project, Progress& progress, GeometryCache* shapes = nullptr);
 
 }  // namespace windfall::model

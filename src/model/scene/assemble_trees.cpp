@@ -1,7 +1,6 @@
 #include <cmath>
 #include <set>
 
-#include "model/plant/import.h"
 #include "model/progress_part.h"
 #include "model/scene/assemble.h"
 #include "model/scene/layer_plan.h"
@@ -33,7 +32,9 @@ sim::Tree scaled(sim::Tree tree, double scale) {
   return tree;
 }
 
-Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress) {
+Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, GeometryCache* shapes) {
+  GeometryCache own;
+  if (!shapes) shapes = &own;
   SceneAssembly assembly;
   const LayerPlan plan = planLayers(project);
   std::set<AssetId> placed;
@@ -43,14 +44,14 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress) 
   for (const Plant& plant : project.plants) {
     if (!placed.contains(plant.id)) continue;
     const auto all = static_cast<double>(placed.size());
-    ProgressPart own(progress, done / all, (done + 1) / all);
-    Result<PlantGeometry> geometry = loadGeometry(plant, own);
+    ProgressPart part(progress, done / all, (done + 1) / all);
+    Result<std::shared_ptr<const PlantGeometry>> geometry = shapes->load(plant, part);
     if (!geometry) return about(plant, geometry.error());
     if (progress.cancelled()) return Error{"cancelled", true};
     const LayerRange range = plan.ofPlant.at(plant.id);
     LoadedPlant loaded;
-    loaded.bodies = std::make_shared<PlantBodies>(buildBodies(*geometry, plant, range.first, range.count));
-    loaded.geometry = std::make_shared<PlantGeometry>(std::move(*geometry));
+    loaded.geometry = *geometry;
+    loaded.bodies = std::make_shared<PlantBodies>(buildBodies(**geometry, plant, range.first, range.count));
     assembly.plants.emplace(plant.id, std::move(loaded));
     done += 1;
   }

@@ -47,9 +47,9 @@ Result<std::vector<LeafTexture>> makeLayers(const Project& project, const LayerP
   return layers;
 }
 
-Result<SceneAssembly> assembleScene(const Project& project, Progress& progress) {
+Result<SceneAssembly> assembleScene(const Project& project, Progress& progress, GeometryCache* shapes) {
   ProgressPart trees(progress, 0, 0.6), leaves(progress, 0.6, 1);
-  Result<SceneAssembly> assembly = assembleTrees(project, trees);
+  Result<SceneAssembly> assembly = assembleTrees(project, trees, shapes);
   if (!assembly) return assembly;
   Result<std::vector<LeafTexture>> layers = makeLayers(project, planLayers(project), leaves);
   if (!layers) return layers.error();

@@ -54,7 +54,7 @@ void PlantWorkspace::ClickTool::click(const ViewportEvent& event) {
 PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
     : Workspace(parent),
       context_(context),
-      feed_(context.document, context.jobs, controller_, "plant", [this] { return alone(); }),
+      feed_(context, controller_, "plant", [this] { return alone(); }),
       viewport_(new Viewport),
       inspector_(new QWidget),
       strip_(new QWidget) {

@@ -20,11 +20,12 @@ sim::Placement toPlacement(const model::TreePlacement& tree) {
 
 }  // namespace
 
-SceneFeed::SceneFeed(model::Document& document, model::JobRunner& jobs, SimulationController& controller,
-                     const QString& slot, Source source, QObject* parent)
+SceneFeed::SceneFeed(const WorkspaceContext& context, SimulationController& controller, const QString& slot,
+                     Source source, QObject* parent)
     : QObject(parent),
-      document_(document),
-      jobs_(jobs),
+      document_(context.document),
+      jobs_(context.jobs),
+      shapes_(context.shapes),
       controller_(controller),
       slot_(slot),
       source_(std::move(source)) {}
@@ -46,8 +47,8 @@ void SceneFeed::rebuild(bool restore) {
   }
   model::Job* job = jobs_.start<std::shared_ptr<Assembly>>(
       tr("Preparing the scene"), slot_,
-      [project = *project](model::Progress& progress) -> Result<std::shared_ptr<Assembly>> {
-        Result<model::SceneAssembly> scene = model::assembleScene(project, progress);
+      [project = *project, shapes = shapes_](model::Progress& progress) -> Result<std::shared_ptr<Assembly>> {
+        Result<model::SceneAssembly> scene = model::assembleScene(project, progress, shapes.get());
         if (!scene) return scene.error();
         auto assembly = std::make_shared<Assembly>();
         assembly->scene = std::move(*scene);

@@ -13,6 +13,7 @@
 #include "model/scene/assemble.h"
 #include "widgets/scene/simulation_controller.h"
 #include "widgets/viewport/picking.h"
+#include "widgets/workspace.h"
 
 namespace windfall::widgets {
 
@@ -28,8 +29,8 @@ class SceneFeed : public QObject {
   Q_OBJECT
  public:
   using Source = std::function<std::optional<model::Project>()>;
-  SceneFeed(model::Document& document, model::JobRunner& jobs, SimulationController& controller, const QString& slot,
-            Source source, QObject* parent = nullptr);
+  SceneFeed(const WorkspaceContext& context, SimulationController& controller, const QString& slot, Source source,
+            QObject* parent = nullptr);
 
   /// Assembles anew. `restore`: goes on where the project's simulation stopped; otherwise starts at rest.
   void rebuild(bool restore);
@@ -63,6 +64,7 @@ class SceneFeed : public QObject {
 
   model::Document& document_;
   model::JobRunner& jobs_;
+  std::shared_ptr<model::GeometryCache> shapes_;
   SimulationController& controller_;
   QString slot_;
   Source source_;

@@ -19,7 +19,7 @@ namespace windfall::widgets {
 SceneWorkspace::SceneWorkspace(const WorkspaceContext& context, QObject* parent)
     : Workspace(parent),
       context_(context),
-      feed_(context.document, context.jobs, controller_, "scene",
+      feed_(context, controller_, "scene",
             [this] { return std::optional<model::Project>(context_.document.project()); }),
       viewport_(new Viewport),
       inspector_(new SceneInspector(context.document, selection_, controller_)),

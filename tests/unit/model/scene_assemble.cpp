@@ -47,6 +47,7 @@ class SceneAssembleTest : public QObject {
   Q_OBJECT
  private slots:
   void treesOfOnePlantShareIt();
+  void aShapeIsMadeAgainOnlyWhenItChanges();
   void scaleIsFoldedIntoTheTree();
   void settingsGoToTheSimulation();
   void brokenScenesNameWhatIsWrong();
@@ -62,6 +63,23 @@ void SceneAssembleTest::treesOfOnePlantShareIt() {
   QCOMPARE(assembly->trees, (std::vector<AssetId>{{2}, {3}}));
   QCOMPARE(assembly->sim.trees.size(), std::size_t(2));
   QCOMPARE(assembly->sim.trees[0].tree.get(), &assembly->plants.at({1}).bodies->tree);
+}
+
+void SceneAssembleTest::aShapeIsMadeAgainOnlyWhenItChanges() {
+  GeometryCache shapes;
+  Progress progress;
+  Project project = projectWithTwoTrees();
+  const auto shape = [&] { return assembleTrees(project, progress, &shapes)->plants.at({1}).geometry; };
+  const auto first = shape();
+  project.plants[0].name = QStringLiteral("another name");
+  project.plants[0].edits[QStringLiteral("trunk")].stiffness = 3;
+  project.plants[0].leafDensity = 0.5;
+  QCOMPARE(shape(), first);
+  project.plants[0].grower->seed += 1;
+  const auto second = shape();
+  QVERIFY(second != first);
+  project.plants[0].grower->seed -= 1;
+  QCOMPARE(shape(), first);
 }
 
 void SceneAssembleTest::scaleIsFoldedIntoTheTree() {
