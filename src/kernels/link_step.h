@@ -42,6 +42,10 @@ WINDFALL_HD void linkForces(const LinksView& links, const WindView& wind, std::u
   LinkLoad& load = links.load[i];
   load.force = force;
   load.torque = glm::cross(arm, force);
+  if (wind.pull.link == i) {
+    load.force += wind.pull.force;
+    load.torque += glm::cross(wind.pull.arm, wind.pull.force);
+  }
   // Velocity of the centre of mass, rest frame: v + o x (0, 0, l/2).
   const float r = shape.halfLength;
   load.biasForce =

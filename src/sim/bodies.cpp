@@ -74,6 +74,8 @@ std::vector<LinkBody> bodiesOf(const Tree& tree, const Placement& placement, std
     }
     body.stiffness = glm::dvec3(1, 1, kShearRatio) / compliance;
     body.dampingScale = static_cast<double>(link.dampingScale);
+    body.rayleighAlpha = static_cast<double>(link.rayleighAlpha);
+    body.rayleighBeta = static_cast<double>(link.rayleighBeta);
     const double wind = static_cast<double>(link.windScale);
     body.woodDrag = 0.5 * kAirDensity * 2 * body.radius * body.length * wind;
     body.leafDrag = 0.5 * kAirDensity * kLeafDrag * area * wind;
@@ -191,6 +193,9 @@ std::string problemOf(const Tree& tree) {
     if (!notNegative(link.leafArea)) return at(i, "its leaf area is negative or not a number");
     if (!notNegative(link.stiffnessScale)) return at(i, "its stiffness is negative or not a number");
     if (!notNegative(link.dampingScale)) return at(i, "its damping is negative or not a number");
+    if (!notNegative(link.rayleighAlpha) || !notNegative(link.rayleighBeta)) {
+      return at(i, "its Rayleigh damping is negative or not a number");
+    }
     if (!notNegative(link.windScale)) return at(i, "its wind response is negative or not a number");
   }
   for (std::size_t i = 0; i < tree.sites.size(); ++i) {

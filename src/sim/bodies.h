@@ -21,6 +21,7 @@ struct LinkBody {
   double across = 0, along = 0;  ///< inertia about the centre of mass, kg m2
   glm::dvec3 stiffness{1};       ///< N m/rad: bending, bending, twist
   double dampingScale = 1;
+  double rayleighAlpha = 0, rayleighBeta = 0;  ///< 1/s and s, beside the structural damping
   double woodDrag = 0, leafDrag = 0;  ///< see LinkShape
   /// Centre of mass from the joint, world.
   glm::dvec3 arm() const { return axes[2] * (0.5 * length); }

@@ -36,9 +36,24 @@ Box windBox(const SceneDescription& scene) {
   return box;
 }
 
+/// What slows the wind: leaves at the middle of their link, and the wood itself.
+std::vector<Foliage> foliageOf(const SceneDescription& scene) {
+  std::vector<Foliage> foliage;
+  for (const TreeInstance& instance : scene.trees) {
+    const quat turn = glm::angleAxis(instance.placement.heading, vec3(0, 1, 0));
+    for (const Link& link : instance.tree->links) {
+      const vec3 middle = link.joint + link.rotation * vec3(0, 0, 0.5f * link.length);
+      foliage.push_back({instance.placement.position + turn * middle, link.leafArea + 2 * link.radius * link.length});
+    }
+  }
+  return foliage;
+}
+
 WindField makeWind(const SceneDescription& scene, int threads) {
   const Box box = windBox(scene);
-  return WindField(box.lower, box.upper, scene.wind, threads);
+  WindField wind(box.lower, box.upper, scene.wind, threads);
+  wind.setFoliage(foliageOf(scene));
+  return wind;
 }
 
 FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, double time) {
@@ -46,7 +61,7 @@ FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, 
   settings.h = static_cast<double>(scene.solver.step);
   settings.dampingRatio = static_cast<double>(scene.solver.structuralDamping);
   settings.windSpeed = static_cast<double>(wind.level(time));
-  settings.windDirection = glm::dvec3(wind.direction());
+  settings.windDirection = glm::dvec3(wind.direction(time));
   return settings;
 }
 

@@ -32,14 +32,13 @@ class CpuEngine : public Engine {
   std::vector<std::uint8_t> save() const override;
   Status restore(std::span<const std::uint8_t> bytes) override;
   std::uint64_t hash() const override;
+  WindView windView() const override { return wind_.view(); }
 
  protected:
   double stepLength() const override { return static_cast<double>(scene_.solver.step); }
   /// One step of all links in the current wind.
   virtual void moveTrees(TreeField& trees, const WindView& wind) { trees.step(wind); }
   const TreeField& trees() const { return trees_; }
-  WindView windView() const { return wind_.view(); }
-
  private:
   FactorSettings factorSettings() const;
   void followWind();

@@ -10,6 +10,7 @@
 
 #include "kernels/leaf_instance.h"
 #include "kernels/math.h"
+#include "kernels/wind.h"
 #include "sim/result.h"
 #include "sim/settings.h"
 #include "sim/tree.h"
@@ -90,6 +91,9 @@ class Engine {
   /// Writes the display state, interpolated between the last two steps by what is left in the accumulator,
   /// straight into the caller's buffers (OpenGL's mapped memory, say): sizes linkCount() and leafCount().
   virtual void write(std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) = 0;
+
+  /// The air as it is now, for streaks; on the host, valid until the next call that changes the engine.
+  virtual WindView windView() const = 0;
 
   virtual Statistics statistics() const = 0;
   virtual Timers timers() const = 0;

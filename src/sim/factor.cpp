@@ -95,7 +95,8 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
   for (std::size_t i = n; i-- > 0;) {
     const LinkBody& body = bodies[i];
     LinkShape& shape = shapes[i];
-    const double slope = kSlope * dragAt(body, levelAt(body, settings));
+    // Damping by mass is a drag on the centre of mass.
+    const double slope = kSlope * dragAt(body, levelAt(body, settings)) + body.rayleighAlpha * body.mass;
     const double heavy = body.mass + vh * slope;
     const dmat3 arm = skew(dvec3(0, 0, 0.5 * body.length));
     dmat3& j = inertia[i];
@@ -105,7 +106,7 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
     h += heavy * arm;
     m += dmat3(heavy);
 
-    const double ownBeta = std::max(0.0, beta * body.dampingScale - numerical);
+    const double ownBeta = std::max(0.0, beta * body.dampingScale + body.rayleighBeta - numerical);
     const double geometric = loads.geometric[i];
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;

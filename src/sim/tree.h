@@ -25,6 +25,9 @@ struct Link {
   float stiffnessScale = 1;    ///< artist's multipliers (tree_dynamics.md, 2.5)
   float dampingScale = 1;
   float windScale = 1;
+  float rayleighAlpha = 0;   ///< 1/s, damping by mass, beside the structural one
+  float rayleighBeta = 0;    ///< s, damping by stiffness, beside the structural one
+  float propagation = 0.8f;  ///< of the forces method: share of a child's bending that reaches its parent, 0..1
 };
 
 /// Where a leaf hangs: the petiole's end in the link's own frame.

@@ -87,17 +87,30 @@ std::vector<Contender> windContenders() {
   spread.run = [field, time] {
     for (int i = 0; i < 60; ++i) field->advance(*time += 1.0 / 60);
   };
-  Contender direct{"evaluated each step", nullptr, nodes};
   auto sum = std::make_shared<vec3>(0);
-  direct.run = [field, view, sum] {
-    const WindMoment moment = field->moment(1);
+  const auto everywhere = [view](const auto& visit) {
     for (int z = 0; z < view.nz; ++z) {
       for (int y = 0; y < view.ny; ++y) {
-        for (int x = 0; x < view.nx; ++x) *sum += windVelocity(moment, view.origin + vec3(x, y, z) / view.perMetre);
+        for (int x = 0; x < view.nx; ++x) visit(view.origin + vec3(x, y, z) / view.perMetre);
       }
     }
   };
-  return {spread, direct};
+  Contender direct{"evaluated each step", nullptr, nodes};
+  direct.run = [field, sum, everywhere] {
+    const WindMoment moment = field->moment(1);
+    everywhere([&](const vec3& place) { *sum += vec3(windNode(moment, place, windProfile(place.y))); });
+  };
+  Contender lookup{"what a link asks for: lattice and small eddies", nullptr, nodes};
+  lookup.run = [field, sum, everywhere] {
+    const WindView now = field->view();
+    everywhere([&](const vec3& place) { *sum += windAt(now, place + vec3(0.4f)); });
+  };
+  Contender tile{"a lookup in the tile of eddies", nullptr, nodes};
+  tile.run = [field, sum, everywhere] {
+    const WindView now = field->view();
+    everywhere([&](const vec3& place) { *sum += eddyAt(now.eddies, place * 2.f); });
+  };
+  return {spread, direct, lookup, tile};
 }
 
 std::vector<Contender> factorContenders() {

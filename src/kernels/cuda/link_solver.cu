@@ -61,7 +61,8 @@ struct LinkSolver::Data {
   Buffer<LinkMotion> motion;
   Buffer<LinkLoad> loads, exports;
   Buffer<LinkState> before, after;
-  Buffer<vec4> wind;
+  Buffer<vec4> wind, eddies;
+  const vec4* eddySource = nullptr;  ///< on the host; what `eddies` is a copy of
   Buffer<std::uint32_t> order, levels, parts, children, childBegin;
 };
 
@@ -79,6 +80,7 @@ LinkSolver::LinkSolver(const Forest& forest, std::size_t links, std::size_t wind
   d.before.allocate(links, d.outcome);
   d.after.allocate(links, d.outcome);
   d.wind.allocate(windNodes, d.outcome);
+  d.eddies.allocate(kTileNodes, d.outcome);
   const auto place = [&](Buffer<std::uint32_t>& buffer, const std::vector<std::uint32_t>& values) {
     buffer.allocate(values.size(), d.outcome);
     buffer.write(values, d.outcome);
@@ -122,6 +124,12 @@ bool LinkSolver::step(const LinkStepParameters& parameters, const WindView& wind
                           d.children.data(), d.childBegin.data(), d.exports.data()};
   WindView local = wind;
   local.velocity = d.wind.data();
+  // The tile is the same for a whole run of the scene, but for another seed.
+  if (wind.eddies != d.eddySource) {
+    if (wind.eddies != nullptr) d.eddies.write({wind.eddies, kTileNodes}, d.outcome);
+    d.eddySource = wind.eddies;
+  }
+  local.eddies = wind.eddies == nullptr ? nullptr : d.eddies.data();
   const auto count = static_cast<std::uint32_t>(d.links);
   forcesKernel<<<(count + kBlock - 1) / kBlock, kBlock>>>(links, local, count);
   if (d.treelets > 0) upKernel<<<static_cast<unsigned>(d.treelets), kBlock>>>(links, forest, parameters);

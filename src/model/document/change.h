@@ -19,6 +19,7 @@ enum class Aspect {
   LeafVariants,
   PlantSource,
   PlantEdits,
+  PlantClips,
   PlantLeaves,
   SceneTrees,
   Wind,

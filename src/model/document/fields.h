@@ -173,8 +173,11 @@ class FieldReader {
   }
   template <class T, class... EntryOf>
   void list(const char* key, std::vector<T>& values, qsizetype most, const EntryOf&... entryOf) {
-    const QJsonArray array = get(key, QJsonValue::Array).toArray();
+    const QJsonValue json = get(key, QJsonValue::Array);
+    if (json.isUndefined()) return;
+    const QJsonArray array = json.toArray();
     if (array.size() > most) return fail(inside(key), QStringLiteral("has more than %1 items").arg(most));
+    values.clear();
     for (qsizetype i = 0; i < array.size() && !failed(); ++i) {
       const QString place = QStringLiteral("%1[%2]").arg(inside(key)).arg(i);
       if (!array[i].isObject()) return fail(place, QStringLiteral("is not an object"));

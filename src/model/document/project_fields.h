@@ -92,6 +92,26 @@ void fields(Io& io, typename Io::template Ref<LinkAttributes> link) {
   io.number("windResponse", link.windResponse, 0, 1e9);
   io.number("woodDensity", link.woodDensity, 1, 1e5);
   io.number("youngsModulus", link.youngsModulus, 1, 1e14);
+  io.number("rayleighAlpha", link.rayleighAlpha, 0, 1e6);
+  io.number("rayleighBeta", link.rayleighBeta, 0, 1e6);
+  io.number("propagation", link.propagation, 0, 1);
+  io.flag("pinned", link.pinned);
+}
+
+/// `entry`: the file of its keys.
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Clip> clip, const QString& entry) {
+  io.text("name", clip.name);
+  io.number("length", clip.length, 0, 1e5);
+  io.number("rate", clip.rate, 0.01, 1e4);
+  io.flag("looping", clip.looping);
+  QByteArray keys = packTracks(clip.tracks);
+  io.bytes("keys", keys, entry);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(clip)>>) {
+    if (!io.failed() && !unpackTracks(keys, clip.tracks)) {
+      io.fail(io.inside("keys"), QStringLiteral("are no keys of a clip"));
+    }
+  }
 }
 
 template <class Io>
@@ -103,6 +123,9 @@ void fields(Io& io, typename Io::template Ref<Plant> plant) {
   io.table("edits", plant.edits, 1'000'000);
   io.ids("leaves", plant.leaves);
   io.number("leafDensity", plant.leafDensity, 0, 1000);
+  io.list("clips", plant.clips, 9'999, [&plant](size_t i) {
+    return QStringLiteral("plants/%1/clips/%2.bin").arg(plant.id.value).arg(i + 1, 4, 10, QLatin1Char('0'));
+  });
 }
 
 template <class Io>
@@ -116,6 +139,30 @@ void fields(Io& io, typename Io::template Ref<TreePlacement> tree) {
 }
 
 template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::WindKey> key) {
+  io.number("time", key.time, 0, 1e7);
+  io.number("strength", key.strength, 0, 1000);
+  io.number("turn", key.turn, -kFarthest, kFarthest);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::WindRecord> row) {
+  io.number("time", row.time, 0, 1e9);
+  io.number("speed", row.speed, 0, 200);
+  io.number("heading", row.heading, -360, 720);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<sim::Fan> fan) {
+  io.vector("position", fan.position);
+  io.vector("direction", fan.direction);
+  io.number("strength", fan.strength, 0, 200);
+  io.number("radius", fan.radius, 0.01, 100);
+  io.number("spread", fan.spread, 0, 60);
+  io.flag("on", fan.on);
+}
+
+template <class Io>
 void fields(Io& io, typename Io::template Ref<sim::WindSettings> wind) {
   io.number("speed", wind.speed, 0, 200);
   io.vector("direction", wind.direction);
@@ -124,6 +171,20 @@ void fields(Io& io, typename Io::template Ref<sim::WindSettings> wind) {
   io.number("gustPeriod", wind.gustPeriod, 0.01, 1e6);
   io.number("until", wind.until, 0, 1e38);
   io.seed("seed", wind.seed);
+  io.number("canopyHeight", wind.canopyHeight, 0, 200);
+  io.number("shelter", wind.shelter, 0, 1);
+  auto course = static_cast<std::int32_t>(wind.course);
+  io.number("course", course, 0, 2);
+  QString recordName = QString::fromStdString(wind.recordName);
+  io.text("recordName", recordName);
+  io.flag("repeat", wind.repeat);
+  io.list("curve", wind.curve, 10'000);
+  io.list("records", wind.records, 200'000);
+  io.list("fans", wind.fans, 1000);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(wind)>>) {
+    wind.course = static_cast<sim::WindCourse>(course);
+    wind.recordName = recordName.toStdString();
+  }
 }
 
 template <class Io>

@@ -6,6 +6,7 @@
 #include "kernels/random.h"
 #include "model/plant/frames.h"
 #include "model/plant/links_private.h"
+#include "model/plant/live_edits.h"
 
 namespace windfall::model {
 
@@ -45,14 +46,6 @@ std::vector<int> carriers(const std::vector<Bone>& bones, const std::vector<int>
     if (parent >= 0 && carrier[at(parent)] < 0) carrier[at(parent)] = carrier[b];
   }
   return carrier;
-}
-
-void applyEdits(sim::Link& link, const LinkAttributes& edit) {
-  link.woodDensity = static_cast<float>(edit.woodDensity);
-  link.youngsModulus = static_cast<float>(edit.youngsModulus);
-  link.stiffnessScale = static_cast<float>(edit.stiffness);
-  link.dampingScale = static_cast<float>(edit.damping);
-  link.windScale = static_cast<float>(edit.windResponse);
 }
 
 /// From the bone's frame to that of the link that carries it.
@@ -157,10 +150,7 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
   shareLeafArea(area * plant.leafDensity, geometry, bodies);
   // Before the artist's edits, so that softer wood bends more instead of growing thicker.
   makeSelfSupporting(bodies.tree);
-  for (std::size_t i = 0; i < bodies.tree.links.size(); ++i) {
-    const auto edit = plant.edits.find(bones[at(bodies.boneOfLink[i])].name);
-    if (edit != plant.edits.end()) applyEdits(bodies.tree.links[i], edit->second);
-  }
+  applyEdits(bodies.tree, geometry, bodies.boneOfLink, plant.edits);
   const std::vector<sim::LeafSite> natural =
       geometry.leafSites.empty() ? leafSitesOnTerminals(bones, bodies.branches, area) : geometry.leafSites;
   std::vector<sim::LeafSite> sites;

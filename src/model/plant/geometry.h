@@ -3,11 +3,13 @@
 
 #include <QImage>
 #include <QString>
+#include <QStringList>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "kernels/math.h"
+#include "model/plant/clip.h"
 #include "sim/tree.h"
 
 namespace windfall::model {
@@ -57,6 +59,8 @@ struct PlantGeometry {
   /// Leaves found in the mesh or placed by the grower; links are bone indices, frames those of bones (frames.h: +z from
   /// head to tail).
   std::vector<sim::LeafSite> leafSites;
+  std::vector<Clip> clips;  ///< motions that the file holds
+  QStringList notes;        ///< what was wrong with the file and how it was mended, a line each
 };
 
 }  // namespace windfall::model

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/ids.h"
+#include "model/plant/clip.h"
 #include "model/source_file.h"
 
 namespace windfall::model {
@@ -27,6 +28,10 @@ struct LinkAttributes {
   double stiffness = 1, damping = 1, windResponse = 1;
   double woodDensity = 950;    ///< kg/m3
   double youngsModulus = 6e9;  ///< Pa
+  double rayleighAlpha = 0;    ///< 1/s, damping by mass, beside what `damping` scales
+  double rayleighBeta = 0;     ///< s, damping by stiffness, beside what `damping` scales
+  double propagation = 0.8;    ///< of the forces method: share of a child's bending that reaches its parent, 0..1
+  bool pinned = false;         ///< stands still, with all that carries it
   bool operator==(const LinkAttributes&) const = default;
 };
 
@@ -38,6 +43,7 @@ struct Plant {
   std::map<QString, LinkAttributes> edits;  ///< by bone name; what is absent has defaults
   std::vector<AssetId> leaves;              ///< leaf assets whose kept variants hang on it
   double leafDensity = 1;                   ///< leaves on the tree, share of the natural number
+  std::vector<Clip> clips;                  ///< baked motions; those of the file are with its geometry
   bool operator==(const Plant&) const = default;
 };
 

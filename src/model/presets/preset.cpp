@@ -44,8 +44,10 @@ Status applyPreset(const Preset& preset, GrowerSettings& grower) { return apply(
 
 Preset makePreset(const QString& name, const sim::WindSettings& wind) {
   Preset preset = make(name, kWind, wind);
-  // When the wind ends belongs to a scene, not to a kind of wind.
-  preset.values.remove(QStringLiteral("until"));
+  // When the wind ends, what follows a clock, and what stands in the scene belong to it, not to a kind of wind.
+  for (const char* own : {"until", "course", "repeat", "curve", "records", "recordName", "fans", "canopyHeight"}) {
+    preset.values.remove(QLatin1String(own));
+  }
   return preset;
 }
 Preset makePreset(const QString& name, const VeinParameters& veins) { return make(name, kLeaf, veins); }

@@ -29,8 +29,10 @@ void PresetTest::builtInOnesAreThereAndSound() {
   for (const QString domain : {"wind", "leaf", "grower"}) {
     for (const Preset& preset : library.of(domain)) names << domain + "/" + preset.name;
   }
-  QCOMPARE(names, (QStringList{"wind/Calm", "wind/Breeze", "wind/Strong", "wind/Storm", "leaf/Ovate", "leaf/Oak",
-                               "leaf/Birch", "grower/Young tree", "grower/Broad tree", "grower/Slender tree"}));
+  QCOMPARE(names, (QStringList{"wind/Calm", "wind/Light breeze", "wind/Gentle breeze", "wind/Moderate breeze",
+                               "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale", "wind/Gale",
+                               "wind/Strong gale", "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch",
+                               "grower/Young tree", "grower/Broad tree", "grower/Slender tree"}));
 }
 
 void PresetTest::applyingChangesOnlyWhatThePresetNames() {
@@ -41,7 +43,7 @@ void PresetTest::applyingChangesOnlyWhatThePresetNames() {
   wind.direction = {0, 0, 1};
   wind.until = 10;
   QVERIFY(applyPreset(*library.find("wind", "Storm"), wind));
-  QCOMPARE(wind.speed, 22.f);
+  QCOMPARE(wind.speed, 26.5f);
   QCOMPARE(wind.seed, quint64(77));
   QCOMPARE(wind.until, 10.f);
   QVERIFY((wind.direction == sim::WindSettings{{}, {0, 0, 1}}.direction));
@@ -72,24 +74,24 @@ void PresetTest::ownPresetsAreKeptAndGoFirst() {
   wind.speed = 7.7f;
   {
     PresetLibrary library(own);
-    QVERIFY(library.save(makePreset("Breeze", wind)));
+    QVERIFY(library.save(makePreset("Gale", wind)));
     QVERIFY(library.save(makePreset("a/b", wind)));
     wind.speed = 8.8f;
     QVERIFY(library.save(makePreset("a:b", wind)));
     QVERIFY(library.save(makePreset("a/b", wind)));
-    QCOMPARE(library.of("wind").size(), size_t(7));
+    QCOMPARE(library.of("wind").size(), size_t(13));
   }
   PresetLibrary library(own);
-  QCOMPARE(library.of("wind").size(), size_t(7));
+  QCOMPARE(library.of("wind").size(), size_t(13));
   sim::WindSettings read;
-  QVERIFY(applyPreset(*library.find("wind", "Breeze"), read));
+  QVERIFY(applyPreset(*library.find("wind", "Gale"), read));
   QCOMPARE(read.speed, 7.7f);
   QVERIFY(applyPreset(*library.find("wind", "a/b"), read));
   QCOMPARE(read.speed, 8.8f);
-  QVERIFY(library.remove("wind", "Breeze"));
-  QVERIFY(applyPreset(*library.find("wind", "Breeze"), read));
-  QCOMPARE(read.speed, 5.f);
-  QVERIFY(!library.remove("wind", "Breeze"));
+  QVERIFY(library.remove("wind", "Gale"));
+  QVERIFY(applyPreset(*library.find("wind", "Gale"), read));
+  QCOMPARE(read.speed, 19.f);
+  QVERIFY(!library.remove("wind", "Gale"));
   QVERIFY(!library.remove("wind", "no such"));
 }
 
@@ -115,7 +117,7 @@ void PresetTest::damagedFilesAreNamedAndLeftOut() {
   const PresetLibrary library(folder.path());
   QCOMPARE(library.problems().size(), size_t(2));
   QCOMPARE(library.problems()[0], folder.filePath("bad.json") + ": values.speed: is 999, expected 0 to 200");
-  QCOMPARE(library.of("wind").size(), size_t(4));
+  QCOMPARE(library.of("wind").size(), size_t(10));
 }
 
 WINDFALL_SUITE(PresetTest)
