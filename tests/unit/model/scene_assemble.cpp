@@ -2,6 +2,7 @@
 #include "model/scene/assemble.h"
 
 #include <QtTest>
+#include <utility>
 
 #include "model/scene/layer_plan.h"
 #include "support/gltf_fixture.h"
@@ -75,10 +76,14 @@ void SceneAssembleTest::aShapeIsMadeAgainOnlyWhenItChanges() {
   project.plants[0].edits[QStringLiteral("trunk")].stiffness = 3;
   project.plants[0].leafDensity = 0.5;
   QCOMPARE(shape(), first);
+  const SourceFile file = std::exchange(project.plants[0].file, {});
+  project.plants[0].grower = GrowerSettings{.height = 3, .limbs = 4, .levels = 2};
+  const auto grown = shape();
+  QVERIFY(grown != first);
   project.plants[0].grower->seed += 1;
-  const auto second = shape();
-  QVERIFY(second != first);
-  project.plants[0].grower->seed -= 1;
+  QVERIFY(shape() != grown);
+  project.plants[0].grower.reset();
+  project.plants[0].file = file;
   QCOMPARE(shape(), first);
 }
 
