@@ -1,6 +1,7 @@
 // The window's frame: assets, palette, files, layout.
 #include <QApplication>
 #include <QFileInfo>
+#include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
@@ -8,6 +9,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "app/editor.h"
@@ -22,6 +24,8 @@
 #include "widgets/main_window/command_palette.h"
 #include "widgets/main_window/message_bar.h"
 #include "widgets/main_window/project_files.h"
+#include "widgets/main_window/shortcut_dialog.h"
+#include "widgets/main_window/shortcut_table.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
@@ -244,6 +248,59 @@ class MainWindowTest : public QObject {
     QVERIFY(!window().assets().isVisible());
     QTest::keyClick(&leaf().pane(), Qt::Key_Tab);
     QVERIFY(window().assets().isVisible());
+  }
+
+  void keysAreChangedInTheDialogAndStayChanged() {
+    const auto actionOf = [this](const QString& text) {
+      const QList<QAction*> actions = window().allActions();
+      const auto found = std::ranges::find_if(
+          actions, [&](const QAction* action) { return QString(action->text()).remove(QLatin1Char('&')) == text; });
+      return found == actions.end() ? nullptr : *found;
+    };
+    QVERIFY(actionOf(QStringLiteral("Keyboard Shortcuts…")));
+    actionOf(QStringLiteral("Keyboard Shortcuts…"))->trigger();
+    auto* dialog = window().findChild<ShortcutDialog*>();
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    QTest::keyClicks(dialog->search(), QStringLiteral("Full Screen"));
+    QList<QTreeWidgetItem*> shown;
+    for (QTreeWidgetItemIterator it(dialog->list(),
+                                    QTreeWidgetItemIterator::NotHidden | QTreeWidgetItemIterator::NoChildren);
+         *it; ++it) {
+      shown << *it;
+    }
+    QCOMPARE(shown.size(), 1);
+    dialog->list()->scrollToItem(shown[0]);
+    QTest::mouseClick(dialog->list()->viewport(), Qt::LeftButton, {},
+                      dialog->list()->visualItemRect(shown[0]).center());
+    dialog->keys()->setFocus();
+    QTest::keyClick(dialog->keys(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(dialog->grab().save(test::outputFolder() + "/window_shortcuts.png"));
+    const QKeySequence key(QStringLiteral("Ctrl+S"));
+    QTRY_COMPARE(actionOf(QStringLiteral("Full Screen"))->shortcut(), key);
+    QVERIFY(actionOf(QStringLiteral("Save"))->shortcuts().isEmpty());
+    dialog->close();
+
+    editor_ = std::make_unique<app::Editor>();
+    QCOMPARE(actionOf(QStringLiteral("Full Screen"))->shortcut(), key);
+    QVERIFY(actionOf(QStringLiteral("Save"))->shortcuts().isEmpty());
+    auto* table = window().findChild<ShortcutTable*>();
+    table->resetAll();
+    QCOMPARE(actionOf(QStringLiteral("Save"))->shortcut(), key);
+    QCOMPARE(actionOf(QStringLiteral("Full Screen"))->shortcut(), QKeySequence(Qt::Key_F11));
+  }
+
+  void aKeyMayServeTwoWorkspacesButNotAWorkspaceAndTheWindow() {
+    QAction everywhere(QStringLiteral("Everywhere")), one(QStringLiteral("One")), two(QStringLiteral("Two"));
+    ShortcutTable table;
+    table.add(&everywhere, QStringLiteral("File"));
+    table.add(&one, QStringLiteral("Leaf"), QStringLiteral("leaf"));
+    table.add(&two, QStringLiteral("Plant"), QStringLiteral("plant"));
+    table.set(&one, {Qt::Key_B});
+    table.set(&two, {Qt::Key_B});
+    QCOMPARE(table.of(&one), QList<QKeySequence>{Qt::Key_B});
+    QCOMPARE(table.of(&two), QList<QKeySequence>{Qt::Key_B});
+    table.set(&everywhere, {Qt::Key_B});
+    QVERIFY(table.of(&one).isEmpty() && table.of(&two).isEmpty());
   }
 
   void lookAtBothPalettes() {

@@ -174,6 +174,8 @@ void MainWindow::buildMenus() {
   edit->addAction(redo);
   edit->addSeparator();
   edit->addActions({assets_->renameAction(), assets_->duplicateAction(), assets_->deleteAction()});
+  edit->addSeparator();
+  add(edit, tr("&Keyboard Shortcuts…"), QStringLiteral("settings"), {}, [this] { editShortcuts(); });
 
   viewMenu_ = menuBar()->addMenu(tr("&View"));
   add(viewMenu_, tr("Show or Hide &Docks"), QStringLiteral("eye"), {}, [this] {

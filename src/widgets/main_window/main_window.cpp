@@ -15,6 +15,7 @@
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/look/empty_state.h"
 #include "widgets/look/icon.h"
@@ -24,6 +25,8 @@
 #include "widgets/main_window/message_bar.h"
 #include "widgets/main_window/project_files.h"
 #include "widgets/main_window/recent_files.h"
+#include "widgets/main_window/shortcut_dialog.h"
+#include "widgets/main_window/shortcut_table.h"
 
 namespace windfall::widgets {
 
@@ -45,6 +48,7 @@ MainWindow::MainWindow(WorkspaceContext context, QWidget* parent)
   buildTopBar();
   buildDocks();
   buildStatusBar();
+  shortcuts_ = new ShortcutTable(this);
   buildMenus();
   commandPalette_ = new CommandPalette(this);
 
@@ -83,12 +87,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::addWorkspace(Workspace* workspace) {
   workspace->setParent(this);
-  Tab tab{.workspace = workspace,
-          .button = new QToolButton(tabRow_),
-          .menu = nullptr,
-          .action = nullptr,
-          .shortcuts = {},
-          .docks = {}};
+  Tab tab{.workspace = workspace, .button = new QToolButton(tabRow_), .menu = nullptr, .action = nullptr, .docks = {}};
   tab.button->setProperty("workspaceTab", true);
   tab.button->setText(workspace->title());
   tab.button->setIcon(icon(workspace->id()));
@@ -135,6 +134,7 @@ void MainWindow::start() {
   for (Tab& tab : tabs_) {
     tab.docks = settings.value(QStringLiteral("window/docks/") + tab.workspace->id()).toByteArray();
   }
+  registerShortcuts();
   if (!tabs_.empty()) switchTo(0);
   restoreView();
   updateWelcome();
@@ -153,18 +153,49 @@ void MainWindow::openWorkspace(const QString& id) {
   }
 }
 
-void MainWindow::setShortcutsOn(Tab& tab, bool on) {
-  // Two workspaces may use the same letter; only the shown one has the keys.
-  QList<QAction*> actions = tab.menu->actions() + tab.workspace->tools();
-  for (QAction* action : actions) {
-    if (on) {
-      const auto kept = tab.shortcuts.find(action);
-      if (kept != tab.shortcuts.end()) action->setShortcuts(kept->second);
-    } else if (!action->shortcuts().isEmpty()) {
-      tab.shortcuts[action] = action->shortcuts();
-      action->setShortcuts(QList<QKeySequence>());
+QList<QAction*> MainWindow::actionsOf(const QMenu& menu) {
+  QList<QAction*> found;
+  const QList<QAction*> entries = menu.actions();
+  for (QAction* action : entries) {
+    if (const QMenu* inner = action->menu()) {
+      found << actionsOf(*inner);
+    } else if (!action->isSeparator()) {
+      found << action;
     }
   }
+  return found;
+}
+
+void MainWindow::setShortcutsOn(const Tab& tab, bool on) {
+  // Two workspaces may use the same letter; only the shown one has the keys.
+  const QList<QAction*> actions = actionsOf(*tab.menu) + tab.workspace->tools();
+  for (QAction* action : actions) {
+    shortcuts_->add(action, tab.workspace->title(), tab.workspace->id());
+    action->setShortcuts(on ? shortcuts_->of(action) : QList<QKeySequence>());
+  }
+}
+
+void MainWindow::registerShortcuts() {
+  const QList<QAction*> menus = menuBar()->actions();
+  for (const QAction* entry : menus) {
+    const auto isOfWorkspace = [&](const Tab& tab) { return tab.menu == entry->menu(); };
+    if (std::ranges::any_of(tabs_, isOfWorkspace)) continue;
+    // Without submenus: those list files, not actions.
+    const QList<QAction*> actions = entry->menu()->actions();
+    for (QAction* action : actions) {
+      if (!action->menu() && !action->isSeparator()) shortcuts_->add(action, entry->text());
+    }
+  }
+  connect(shortcuts_, &ShortcutTable::changed, this, [this](QAction* action) {
+    const QString workspace = shortcuts_->workspaceOf(action);
+    if (workspace.isEmpty() || (current_ && current_->id() == workspace)) action->setShortcuts(shortcuts_->of(action));
+  });
+}
+
+void MainWindow::editShortcuts() {
+  auto* dialog = new ShortcutDialog(*shortcuts_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void MainWindow::switchTo(std::size_t index) {

@@ -23,6 +23,7 @@ class Dock;
 class EmptyState;
 class MessageBar;
 class ProjectFiles;
+class ShortcutTable;
 enum class AssetKind;
 
 class MainWindow : public QMainWindow {
@@ -62,8 +63,7 @@ class MainWindow : public QMainWindow {
     QToolButton* button;
     QMenu* menu;
     QAction* action;
-    std::map<QAction*, QList<QKeySequence>> shortcuts;  ///< kept while another workspace has the keys
-    QByteArray docks;                                   ///< layout when it was left
+    QByteArray docks;  ///< layout when it was left
   };
 
   void buildTopBar();
@@ -72,7 +72,12 @@ class MainWindow : public QMainWindow {
   void buildStatusBar();
   void fillRecent(QMenu& menu);
   void switchTo(std::size_t index);
-  void setShortcutsOn(Tab& tab, bool on);
+  /// All that the menu and its submenus offer.
+  static QList<QAction*> actionsOf(const QMenu& menu);
+  void setShortcutsOn(const Tab& tab, bool on);
+  /// After the workspaces stand: the artist's keys for what works everywhere.
+  void registerShortcuts();
+  void editShortcuts();
   void updateTitle();
   void updateWelcome();
   void toggleDocks();
@@ -90,6 +95,7 @@ class MainWindow : public QMainWindow {
   AssetTree* assets_ = nullptr;
   MessageBar* messages_ = nullptr;
   CommandPalette* commandPalette_ = nullptr;
+  ShortcutTable* shortcuts_ = nullptr;
   EmptyState* welcome_ = nullptr;
   QStackedWidget *canvases_ = nullptr, *inspectors_ = nullptr, *strips_ = nullptr;
   QWidget* topBar_ = nullptr;
