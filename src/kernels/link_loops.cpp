@@ -1,30 +1,27 @@
 #include "kernels/link_loops.h"
 
-#include "kernels/link_step.h"
-#include "kernels/targets.h"
-
 namespace windfall {
 
-WINDFALL_TARGETS void linkForcesRange(const LinksView& links, const WindView& wind, std::uint32_t begin,
-                                      std::uint32_t end) {
-  for (std::uint32_t i = begin; i < end; ++i) linkForces(links, wind, i);
-}
+extern const LinkLoops kPlainLinkLoops;
+#if defined(WINDFALL_X86_LOOPS)
+extern const LinkLoops kAvx2LinkLoops, kAvx512LinkLoops;
+#endif
 
-WINDFALL_TARGETS LinkLoad linkUpRange(const LinksView& links, const LinkStepParameters& step,
-                                      std::span<const std::uint32_t> order) {
-  for (std::size_t k = order.size(); --k > 0;) {
-    addLoad(links.load[links.shape[order[k]].parent], linkUp(links, step, order[k]));
+LinkLoopsList everyLinkLoops() {
+  LinkLoopsList list{{&kPlainLinkLoops, nullptr, nullptr}, 1};
+#if defined(WINDFALL_X86_LOOPS)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2")) list.all[list.count++] = &kAvx2LinkLoops;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd")) {
+    list.all[list.count++] = &kAvx512LinkLoops;
   }
-  return linkUp(links, step, order[0]);
+#endif
+  return list;
 }
 
-WINDFALL_TARGETS void linkDownRange(const LinksView& links, const LinkStepParameters& step,
-                                    std::span<const std::uint32_t> order) {
-  for (const std::uint32_t i : order) linkDown(links, step, i);
-}
-
-WINDFALL_TARGETS void linkPoseRange(const LinksView& links, std::uint32_t begin, std::uint32_t end) {
-  for (std::uint32_t i = begin; i < end; ++i) linkPose(links, i);
+const LinkLoops& linkLoops() {
+  static const LinkLoopsList list = everyLinkLoops();
+  return *list.all[list.count - 1];
 }
 
 }  // namespace windfall

@@ -1,21 +1,36 @@
-// The loops of the tree solver over ranges of links on the CPU, for the best instruction set of the machine.
+// The passes of the tree solvers over blocks of slots on the CPU, in wide registers of the best instruction set that
+// the machine has; all give the same bits.
 #pragma once
 
 #include <cstdint>
-#include <span>
 
-#include "kernels/link_data.h"
+#include "kernels/link_slots.h"
 #include "kernels/wind.h"
 
 namespace windfall {
 
-/// Own loads of links begin..end.
-void linkForcesRange(const LinksView& links, const WindView& wind, std::uint32_t begin, std::uint32_t end);
-/// Upward pass over a whole subtree, given level by level from its root; what the root hands to its parent.
-LinkLoad linkUpRange(const LinksView& links, const LinkStepParameters& step, std::span<const std::uint32_t> order);
-/// Downward pass over links whose parents come before them or are done.
-void linkDownRange(const LinksView& links, const LinkStepParameters& step, std::span<const std::uint32_t> order);
-/// Poses links begin..end without moving them.
-void linkPoseRange(const LinksView& links, std::uint32_t begin, std::uint32_t end);
+/// Blocks [begin, end) of slots.
+using LinkPass = void (*)(const LinkSlots<float>& slots, const LinkStep<float>& step, std::uint32_t begin,
+                          std::uint32_t end);
+
+/// Both passes of a solver: up from the last block to the first, down from the first to the last.
+struct LinkPasses {
+  LinkPass up, down;
+};
+
+/// The passes as compiled for one instruction set.
+struct LinkLoops {
+  const char* name;  ///< "x86-64-v4"
+  LinkPasses coupled, modal, forces;
+};
+
+/// The best of this machine.
+const LinkLoops& linkLoops();
+/// All that run on this machine, the plainest first; what tests compare.
+struct LinkLoopsList {
+  const LinkLoops* all[3];
+  int count;
+};
+LinkLoopsList everyLinkLoops();
 
 }  // namespace windfall

@@ -70,6 +70,7 @@ std::vector<LinkBody> bodiesOf(const Tree& tree, const Placement& placement, std
     double compliance = 0.5 * body.length / sectionOf(link);
     if (link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].chain == link.chain) {
       const Link& parent = tree.links[static_cast<std::size_t>(link.parent)];
+      body.continues = true;
       compliance += 0.5 * static_cast<double>(parent.length) / sectionOf(parent);
     }
     body.stiffness = glm::dvec3(1, 1, kShearRatio) / compliance;

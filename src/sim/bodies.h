@@ -13,6 +13,7 @@ namespace windfall::sim {
 /// A link placed in the world at rest. SI units.
 struct LinkBody {
   int parent = -1;
+  bool continues = false;           ///< the parent belongs to the same axis
   glm::dvec3 joint{0};              ///< world
   glm::dmat3 axes{1};               ///< link frame to world
   glm::dquat rotation{1, 0, 0, 0};  ///< the same

@@ -59,7 +59,11 @@ WindField makeWind(const SceneDescription& scene, int threads) {
 FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, double time) {
   FactorSettings settings;
   settings.h = static_cast<double>(scene.solver.step);
+  settings.method = scene.solver.method;
   settings.dampingRatio = static_cast<double>(scene.solver.structuralDamping);
+  settings.rayleighAlpha = static_cast<double>(scene.solver.rayleighAlpha);
+  settings.rayleighBeta = static_cast<double>(scene.solver.rayleighBeta);
+  settings.propagation = static_cast<double>(scene.solver.propagation);
   settings.windSpeed = static_cast<double>(wind.level(time));
   settings.windDirection = glm::dvec3(wind.direction(time));
   return settings;
@@ -98,11 +102,11 @@ vec4 plain(const quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 }  // namespace
 
-CpuEngine::CpuEngine(SceneDescription scene, int threads)
+CpuEngine::CpuEngine(SceneDescription scene, int threads, const FieldCut& cut)
     : scene_(std::move(scene)),
       threads_(threads > 0 ? threads : omp_get_max_threads()),
       wind_(makeWind(scene_, threads_)),
-      trees_(scene_.trees, settingsOf(scene_, wind_, 0), threads_),
+      trees_(scene_.trees, settingsOf(scene_, wind_, 0), threads_, cut),
       leaves_(scene_),
       lostArea_(trees_.size(), 0.f) {
   float highest = -1e30f;
@@ -153,14 +157,22 @@ void CpuEngine::step() {
   const ThreadScope scope(threads_);
   followWind();
   wind_.advance(time() + 0.5 * h);
-  timers_.wind = watch.lap();
+  const double windLattice = timers_.wind = watch.lap();
   moveTrees(trees_, wind_.view());
-  timers_.trees = watch.lap();
+  // The air at the links counts as wind.
+  timers_.trees = watch.lap() - (timers_.wind - windLattice);
   leaves_.step(time(), static_cast<float>(h), linkView(), wind_.view());
   ++steps_;
   followLeaves();
   timers_.leaves = watch.lap();
   between_ = 1;
+}
+
+void CpuEngine::moveTrees(TreeField& trees, const WindView& wind) {
+  Stopwatch watch;
+  trees.sampleAir(wind);
+  timers_.wind += watch.lap();
+  trees.solve();
 }
 
 void CpuEngine::reset() {
@@ -231,7 +243,7 @@ Statistics CpuEngine::statistics() const {
   s.time = time();
   if (trees_.size() > 0) {
     const LinkState& state = trees_.current()[tipLink_];
-    const float length = 2 * trees_.shapes()[tipLink_].halfLength;
+    const float length = 2 * trees_.shape(tipLink_).halfLength;
     s.tipDisplacement = glm::length(placeOf(state, vec3(0, 0, length)) - tipRest_);
   }
   s.largestAngle = trees_.largestAngle();
@@ -251,7 +263,11 @@ DeviceInfo CpuEngine::device() const {
 }
 
 std::uint64_t CpuEngine::hash() const {
-  std::uint64_t h = hashBytes(trees_.motion().data(), trees_.motion().size_bytes());
+  std::uint64_t h = kHashStart;
+  for (std::size_t i = 0; i < trees_.size(); ++i) {
+    const vec3 joint[] = {trees_.angle(i), trees_.speed(i)};
+    h = hashBytes(joint, sizeof joint, h);
+  }
   h = hashBytes(trees_.current().data(), trees_.current().size_bytes(), h);
   const std::uint64_t leaves = leaves_.hash();
   return hashBytes(&leaves, sizeof leaves, h);
@@ -259,7 +275,7 @@ std::uint64_t CpuEngine::hash() const {
 
 namespace {
 constexpr char kMagic[8] = {'W', 'i', 'n', 'd', 's', 't', 'a', 't'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 bool allFinite(const void* data, std::size_t floats) {
   const auto* values = static_cast<const float*>(data);
@@ -270,6 +286,7 @@ bool allFinite(const void* data, std::size_t floats) {
 std::uint64_t CpuEngine::fingerprint() const {
   std::uint64_t h = hashBytes(&scene_.seed, sizeof scene_.seed);
   h = hashBytes(&scene_.solver.step, sizeof scene_.solver.step, h);
+  h = hashBytes(&scene_.solver.method, sizeof scene_.solver.method, h);
   for (const TreeInstance& instance : scene_.trees) {
     for (const Link& link : instance.tree->links) {
       const float numbers[] = {link.joint.x, link.joint.y, link.joint.z, link.length, link.radius};
@@ -286,7 +303,7 @@ std::vector<std::uint8_t> CpuEngine::save() const {
   body.value(steps_);
   body.value(accumulator_);
   body.value(wind_.anchor());
-  body.values(trees_.motion());
+  body.values(trees_.state());
   body.values(trees_.previous());
   body.values(trees_.current());
   body.values(std::span<const float>(lostArea_));
@@ -321,7 +338,7 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   std::int64_t steps = 0;
   double accumulator = 0;
   WindAnchor anchor;
-  std::vector<LinkMotion> motion(trees_.size());
+  std::vector<float> motion(trees_.state().size());
   std::vector<LinkState> before(trees_.size()), after(trees_.size());
   std::vector<float> lost(trees_.size()), known(trees_.size());
   std::span<const std::uint8_t> leaves;
@@ -335,7 +352,7 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
                     accumulator <= stepLength() &&
                     std::all_of(std::begin(numbers), std::end(numbers), [](double v) { return std::abs(v) < 1e12; }) &&
                     allFinite(lost.data(), lost.size()) && allFinite(known.data(), known.size()) &&
-                    allFinite(motion.data(), motion.size() * sizeof(LinkMotion) / sizeof(float)) &&
+                    allFinite(motion.data(), motion.size()) &&
                     allFinite(before.data(), before.size() * sizeof(LinkState) / sizeof(float)) &&
                     allFinite(after.data(), after.size() * sizeof(LinkState) / sizeof(float));
   if (!sane || !body.atEnd()) return Error{"the state of the simulation is damaged"};
@@ -346,8 +363,7 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   accumulator_ = accumulator;
   between_ = 1;
   wind_.restore(anchor);
-  std::copy(motion.begin(), motion.end(), trees_.motion().begin());
-  trees_.setPoses(before, after);
+  trees_.setState(motion, before, after);
   lostArea_ = lost;
   if (!std::equal(known.begin(), known.end(), trees_.lostArea().begin())) trees_.setLostArea(known);
   followWind();

@@ -14,7 +14,7 @@ namespace windfall::sim {
 class CpuEngine : public Engine {
  public:
   /// The scene has been checked.
-  CpuEngine(SceneDescription scene, int threads);
+  CpuEngine(SceneDescription scene, int threads, const FieldCut& cut = {});
 
   void step() override;
   void reset() override;
@@ -37,7 +37,7 @@ class CpuEngine : public Engine {
  protected:
   double stepLength() const override { return static_cast<double>(scene_.solver.step); }
   /// One step of all links in the current wind.
-  virtual void moveTrees(TreeField& trees, const WindView& wind) { trees.step(wind); }
+  virtual void moveTrees(TreeField& trees, const WindView& wind);
   const TreeField& trees() const { return trees_; }
  private:
   FactorSettings factorSettings() const;

@@ -9,14 +9,38 @@ namespace windfall::sim {
 
 namespace {
 
-std::vector<std::int32_t> parentsOf(const TreeField& trees) {
-  std::vector<std::int32_t> parents;
-  for (const LinkShape& shape : trees.shapes()) parents.push_back(shape.parent);
-  return parents;
-}
-
 std::size_t nodesOf(const WindView& wind) {
   return static_cast<std::size_t>(wind.nx) * static_cast<std::size_t>(wind.ny) * static_cast<std::size_t>(wind.nz);
+}
+
+constexpr FieldCut kCut{512, 1024, 128};
+
+cuda::LinkMethod methodOf(TreeMethod method) {
+  switch (method) {
+    case TreeMethod::Coupled:
+      return cuda::LinkMethod::Coupled;
+    case TreeMethod::Forces:
+      return cuda::LinkMethod::Forces;
+    default:
+      return cuda::LinkMethod::Modal;
+  }
+}
+
+cuda::Forest forestOf(const TreeField& trees) {
+  const Arrangement& slots = trees.slots();
+  cuda::Forest forest;
+  forest.method = methodOf(trees.settings().method);
+  forest.width = kCut.width;
+  forest.rows = slots.rows;
+  forest.sumRow = trees.sumRow();
+  forest.link = slots.link;
+  forest.parent = slots.parent;
+  Gathering gathering = gatheringOf(slots, trees.parents());
+  forest.childBegin = std::move(gathering.begin);
+  forest.children = std::move(gathering.rows);
+  for (const Part& part : slots.parts) forest.parts.push_back(part.begin * kSlotBlock);
+  forest.parts.push_back(static_cast<std::uint32_t>(slots.link.size()));
+  return forest;
 }
 
 /// The state comes back to the host after each step: leaves and statistics need it there, and when the device fails the
@@ -24,11 +48,11 @@ std::size_t nodesOf(const WindView& wind) {
 class CudaEngine final : public CpuEngine {
  public:
   CudaEngine(const SceneDescription& scene, int threads, std::string name)
-      : CpuEngine(scene, threads),
+      : CpuEngine(scene, threads, kCut),
         name_(std::move(name)),
-        solver_(forestOf(trees().cut(), parentsOf(trees())), trees().size(), nodesOf(windView())),
-        motion_(trees().size()),
-        now_(trees().size()) {}
+        solver_(forestOf(trees()), trees().constants().size(), trees().state().size(), nodesOf(windView())),
+        state_(trees().state().size()),
+        now_(trees().rows().size()) {}
 
   DeviceInfo device() const override {
     return solver_.problem().empty() ? DeviceInfo{Device::Cuda, name_} : CpuEngine::device();
@@ -38,24 +62,23 @@ class CudaEngine final : public CpuEngine {
  protected:
   void moveTrees(TreeField& trees, const WindView& wind) override {
     if (solver_.problem().empty() && revision_ != trees.revision()) {
-      solver_.setConstants(trees.shapes(), trees.factors());
-      solver_.setState(trees.motion(), trees.current());
+      const LinkSlots<float> view = trees.view();
+      solver_.setConstants(trees.constants(), view.constantFields);
+      solver_.setState(trees.state(), view.stateFields, trees.rows());
       revision_ = trees.revision();
     }
-    const FactorSettings& settings = trees.settings();
-    const LinkStepParameters parameters{static_cast<float>(settings.h), static_cast<float>(settings.implicitness)};
-    if (solver_.step(parameters, wind, motion_, now_)) {
-      trees.takeStep(motion_, now_);
+    if (solver_.step(trees.stepParameters(), wind, trees.outside(), state_, now_)) {
+      trees.takeStep(state_, now_);
     } else {
-      trees.step(wind);
+      CpuEngine::moveTrees(trees, wind);
     }
   }
 
  private:
   std::string name_;
   cuda::LinkSolver solver_;
-  std::vector<LinkMotion> motion_;
-  std::vector<LinkState> now_;
+  AlignedVector<float> state_;
+  AlignedVector<LinkState> now_;
   std::uint64_t revision_ = 0;  // of the trees, as the device has them; theirs starts above 0
 };
 

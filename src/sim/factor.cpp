@@ -1,10 +1,11 @@
 #include "sim/factor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "kernels/link_step.h"
+#include "kernels/link_coupled.h"
 #include "kernels/wind_model.h"
 
 namespace windfall::sim {
@@ -35,12 +36,7 @@ double levelAt(const LinkBody& body, const FactorSettings& settings) {
                   kOverMean * settings.windSpeed * static_cast<double>(windProfile(static_cast<float>(height))));
 }
 
-/// Torque that gravity exerts at rest, joint frame; and how strongly wind and weight pull each subtree outward (5.4), N
-/// m/rad.
-struct RestLoads {
-  std::vector<dvec3> preStress;
-  std::vector<double> geometric;
-};
+}  // namespace
 
 RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& settings) {
   const std::size_t n = bodies.size();
@@ -69,23 +65,60 @@ RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& s
   return loads;
 }
 
-vec4 toFloat(const glm::dquat& q) {
-  return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
-}
-
-}  // namespace
-
 double twistFloor(const LinkBody& body, const Composite& composite) {
   const dmat3 local = glm::transpose(body.axes) * composite.inertia * body.axes;
   return std::max(0.0, kTwistFloor * 0.5 * (local[0][0] + local[1][1]) - local[2][2]);
 }
 
+double dragSlope(const LinkBody& body, const FactorSettings& settings) {
+  return kSlope * dragAt(body, levelAt(body, settings));
+}
+
+void commonConstants(const std::vector<LinkBody>& bodies, std::size_t i, const FactorSettings& settings,
+                     const dvec3& preStress, std::span<double> constants) {
+  const LinkBody& body = bodies[i];
+  const bool root = body.parent < 0;
+  const LinkBody& parent = bodies[root ? i : static_cast<std::size_t>(body.parent)];
+  const glm::dquat turn = root ? body.rotation : glm::normalize(glm::conjugate(parent.rotation) * body.rotation);
+  const dvec3 offset = root ? body.joint : glm::transpose(parent.axes) * (body.joint - parent.joint);
+  constants[kHalf] = 0.5 * body.length;
+  constants[kWeight] = body.mass * -settings.gravity.y;
+  constants[kWoodDrag] = body.woodDrag;
+  constants[kLeafDrag] = body.leafDrag;
+  for (int k = 0; k < 3; ++k) {
+    constants[kRestOffset + k] = offset[k];
+    constants[kPreStress + k] = preStress[k];
+  }
+  constants[kRestTurn] = turn.x;
+  constants[kRestTurn + 1] = turn.y;
+  constants[kRestTurn + 2] = turn.z;
+  constants[kRestTurn + 3] = turn.w;
+  constants[kBending] = body.stiffness.x;
+  constants[kTwist] = body.stiffness.z;
+}
+
 void factorise(const std::vector<LinkBody>& bodies, double frequency, const FactorSettings& settings,
-               std::int32_t first, std::span<LinkShape> shapes, std::span<LinkFactor> factors,
-               std::span<LinkInertia> inertias) {
+               const ConstantSink& sink, std::span<LinkInertia> inertias) {
+  switch (settings.method) {
+    case TreeMethod::Coupled:
+      factoriseCoupled(bodies, frequency, settings, sink, inertias);
+      break;
+    case TreeMethod::Analytic:
+    case TreeMethod::Literal:
+      factoriseModal(bodies, settings, sink);
+      break;
+    case TreeMethod::Forces:
+      factoriseForces(bodies, settings, sink);
+      break;
+  }
+}
+
+void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, const FactorSettings& settings,
+                      const ConstantSink& sink, std::span<LinkInertia> inertias) {
   const std::vector<Composite> composites = compositesOf(bodies);
   const RestLoads loads = restLoads(bodies, settings);
   const std::size_t n = bodies.size();
+  std::array<double, kCoupledConstants> constants{};
   const double beta = frequency > 0 ? 2 * settings.dampingRatio / (2 * std::numbers::pi * frequency) : 0;
   const double vh = settings.implicitness * settings.h;
   const double numerical = settings.compensate ? (2 * settings.implicitness - 1) * settings.h : 0;
@@ -94,9 +127,8 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
   std::vector<dmat3> inertia(n, dmat3(0)), coupling(n, dmat3(0)), mass(n, dmat3(0));
   for (std::size_t i = n; i-- > 0;) {
     const LinkBody& body = bodies[i];
-    LinkShape& shape = shapes[i];
-    // Damping by mass is a drag on the centre of mass.
-    const double slope = kSlope * dragAt(body, levelAt(body, settings)) + body.rayleighAlpha * body.mass;
+    // Damping by mass acts as a drag of the whole link.
+    const double slope = dragSlope(body, settings) + settings.rayleighAlpha * body.mass;
     const double heavy = body.mass + vh * slope;
     const dmat3 arm = skew(dvec3(0, 0, 0.5 * body.length));
     dmat3& j = inertia[i];
@@ -106,7 +138,7 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
     h += heavy * arm;
     m += dmat3(heavy);
 
-    const double ownBeta = std::max(0.0, beta * body.dampingScale + body.rayleighBeta - numerical);
+    const double ownBeta = std::max(0.0, (beta + settings.rayleighBeta) * body.dampingScale - numerical);
     const double geometric = loads.geometric[i];
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;
@@ -137,30 +169,21 @@ void factorise(const std::vector<LinkBody>& bodies, double frequency, const Fact
       mass[p] += ma;
     }
 
-    LinkFactor& factor = factors[i];
-    int k = 0;
+    commonConstants(bodies, i, settings, loads.preStress[i], constants);
+    constants[kDragSlope] = slope;
+    constants[kBendingSpeed] = body.stiffness.x * (vh + ownBeta) + geometric * vh;
+    constants[kTwistSpeed] = body.stiffness.z * (vh + ownBeta) + geometric * vh + twistDamping;
+    std::size_t k = kInverse;
     for (int row = 0; row < 3; ++row) {
-      for (int column = row; column < 3; ++column)
-        factor.inverse[k++] = narrow(0.5 * (inverse[column][row] + inverse[row][column]));
+      for (int column = row; column < 3; ++column) constants[k++] = 0.5 * (inverse[column][row] + inverse[row][column]);
     }
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
-        factor.transfer[row * 3 + column] = narrow(top[column][row]);
-        factor.transfer[9 + row * 3 + column] = narrow(bottom[column][row]);
+        constants[kTransfer + static_cast<std::size_t>(row * 3 + column)] = top[column][row];
+        constants[kTransfer + 9 + static_cast<std::size_t>(row * 3 + column)] = bottom[column][row];
       }
     }
-    shape.restRotation = toFloat(turn);
-    shape.restMatrix = mat3(r);
-    shape.restOffset = vec3(offset);
-    shape.parent = root ? -1 : first + body.parent;
-    shape.stiffness = vec3(body.stiffness);
-    shape.halfLength = narrow(0.5 * body.length);
-    shape.velocityTerm = vec3(body.stiffness * (vh + ownBeta) + dvec3(geometric * vh) + dvec3(0, 0, twistDamping));
-    shape.weight = narrow(body.mass * -settings.gravity.y);
-    shape.preStress = vec3(loads.preStress[i]);
-    shape.woodDrag = narrow(body.woodDrag);
-    shape.leafDrag = narrow(body.leafDrag);
-    shape.dragSlope = narrow(slope);
+    sink(i, constants);
   }
 }
 

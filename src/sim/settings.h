@@ -70,10 +70,23 @@ struct LeafSettings {
   bool operator==(const LeafSettings&) const = default;
 };
 
+/// How joints are solved (tree_dynamics.md).
+enum class TreeMethod {
+  Coupled,   ///< two-way coupled, prefactored (6): the default
+  Analytic,  ///< each joint exact by itself, inertia frozen and calibrated by axis (5): fastest, any step
+  Forces,    ///< own inertia and propagated forces (7): for comparison
+  Literal    ///< the analytic form as published, without the repair of its frequencies: for comparison
+};
+
 /// Links' solver.
 struct SolverSettings {
   float step = 1.f / 60;            ///< fixed step, s
   float structuralDamping = 0.03f;  ///< modal ratio
+  TreeMethod method = TreeMethod::Coupled;
+  bool axisMotion = true;    ///< analytic: a branch feels how its base moves (5.9)
+  float rayleighAlpha = 0;   ///< damping by mass on top, 1/s
+  float rayleighBeta = 0;    ///< damping by stiffness on top, s
+  float propagation = 0.8f;  ///< forces: part of a branch's restoring torque that its parent feels, at most, 0..0.8
   bool operator==(const SolverSettings&) const = default;
 };
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "kernels/link_step.h"
+#include "kernels/link_pose.h"
 #include "sim/articulated.h"
 #include "sim/sample_tree.h"
 #include "sim/tree_field.h"
@@ -31,7 +31,8 @@ Contender coupled(std::shared_ptr<Scene> scene, int threads) {
   contender.name = "coupled, prefactored, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
   contender.items = static_cast<double>(field->size()) * kSteps;
   contender.run = [scene, field] {
-    for (int i = 0; i < kSteps; ++i) field->step(scene->wind.view());
+    field->sampleAir(scene->wind.view());
+    for (int i = 0; i < kSteps; ++i) field->solve();
   };
   return contender;
 }
@@ -61,8 +62,10 @@ Contender articulated(std::shared_ptr<Scene> scene) {
       for (std::size_t k = 0; k < tree->parts().size(); ++k) {
         Reference::Part& part = tree->parts()[k];
         const vec3 along = part.rotation * vec3(0, 0, 1);
-        part.force = linkDrag((*drag)[k], along, windAt(wind, part.position + along * part.half)) +
-                     vec3(0, -9.81f * part.mass, 0);
+        const vec3 u = windAt(wind, part.position + along * part.half);
+        const V3<float> f =
+            dragOf<float>((*drag)[k].woodDrag, (*drag)[k].leafDrag, {along.x, along.y, along.z}, {u.x, u.y, u.z});
+        part.force = vec3(f.x, f.y - 9.81f * part.mass, f.z);
       }
       tree->stepImplicit(1.f / 60);
     }

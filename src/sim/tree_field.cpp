@@ -3,32 +3,87 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/link_loops.h"
-#include "kernels/link_step.h"
+#include "kernels/link_air.h"
+#include "kernels/link_coupled.h"
+#include "kernels/link_forces.h"
+#include "kernels/link_modal.h"
 
 namespace windfall::sim {
 
-TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads,
-                     std::uint32_t treeletSize)
-    : trees_(std::move(trees)), threads_(std::max(threads, 1)) {
-  std::vector<std::int32_t> parents;
+namespace {
+
+/// Sizes of a method's blocks and rows.
+struct Layout {
+  std::uint32_t constants, variables, sumRow;
+};
+
+template <class Solver>
+constexpr Layout kLayoutOf{Solver::kConstants, Solver::kVariables, Solver::kSumRow};
+
+Layout layoutOf(TreeMethod method) {
+  switch (method) {
+    case TreeMethod::Coupled:
+      return kLayoutOf<CoupledSolver>;
+    case TreeMethod::Forces:
+      return kLayoutOf<ForcesSolver>;
+    default:
+      return kLayoutOf<ModalSolver>;
+  }
+}
+
+const LinkPasses& passesOf(TreeMethod method) {
+  const LinkLoops& loops = linkLoops();
+  switch (method) {
+    case TreeMethod::Coupled:
+      return loops.coupled;
+    case TreeMethod::Forces:
+      return loops.forces;
+    default:
+      return loops.modal;
+  }
+}
+
+bool isModal(TreeMethod method) { return method == TreeMethod::Analytic || method == TreeMethod::Literal; }
+
+}  // namespace
+
+TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads, const FieldCut& cut)
+    : trees_(std::move(trees)), settings_(settings), threads_(std::max(threads, 1)) {
   for (const TreeInstance& instance : trees_) {
-    const auto first = static_cast<std::uint32_t>(parents.size());
+    const auto first = static_cast<std::uint32_t>(parents_.size());
     firstLinks_.push_back(first);
     for (const Link& link : instance.tree->links) {
-      parents.push_back(link.parent < 0 ? -1 : link.parent + static_cast<std::int32_t>(first));
+      parents_.push_back(link.parent < 0 ? -1 : link.parent + static_cast<std::int32_t>(first));
     }
   }
-  partition_ = partition(parents, treeletSize);
-  shapes_.resize(parents.size());
-  factors_.resize(parents.size());
-  motion_.resize(parents.size());
-  loads_.resize(parents.size());
-  inertia_.resize(parents.size());
-  before_.resize(parents.size());
-  after_.resize(parents.size());
-  exports_.resize(partition_.treelets.size());
-  lostArea_.resize(parents.size());
+  slots_ = arrange(parents_, cut.treelet, cut.part, cut.width);
+  const Layout layout = layoutOf(settings.method);
+  constantFields_ = layout.constants;
+  stateFields_ = layout.variables;
+  sumRow_ = layout.sumRow;
+  const std::size_t count = slots_.link.size();
+  constants_.assign(count * constantFields_, 0.f);
+  state_.assign(count * stateFields_, 0.f);
+  air_.assign(count * 3, 0.f);
+  sums_.assign(std::size_t{slots_.sumRows} * sumRow_, 0.f);
+  moves_.assign(settings.method == TreeMethod::Coupled ? std::size_t{slots_.rows} * kMoveRow : 0, 0.f);
+  before_.resize(slots_.rows);
+  after_.resize(slots_.rows);
+  inertia_.resize(settings.method == TreeMethod::Coupled ? size() : 0);
+  // Slots without a link divide by their stiffness too.
+  for (std::uint32_t slot = 0; slot < count; ++slot) {
+    if (slots_.link[slot] < slots_.links) continue;
+    const SlotFields<float> fields = fieldsOf(constants_.data(), constantFields_, slot);
+    for (const std::uint32_t one : {std::uint32_t{kBending}, std::uint32_t{kTwist}, kRestTurn + 3u}) fields.put(one, 1);
+    if (isModal(settings.method)) {
+      for (std::uint32_t a = 0; a < 3; ++a) fields.put(kSquares + a, 1);
+    } else if (settings.method == TreeMethod::Forces) {
+      fields.put(kInertia, 1);
+      fields.put(kTwistInertia, 1);
+    }
+    fieldsOf(state_.data(), stateFields_, slot).put(kTurn + 3, 1);
+  }
+  lostArea_.resize(size());
   for (const TreeInstance& instance : trees_) frequencies_.push_back(firstFrequency(*instance.tree));
   factorise(settings);
   reset();
@@ -40,13 +95,18 @@ void TreeField::factoriseTree(std::size_t instance) {
   const std::size_t first = firstLinks_[instance], count = tree.links.size();
   const std::vector<LinkBody> bodies =
       bodiesOf(tree, trees_[instance].placement, std::span<const float>(lostArea_).subspan(first, count));
-  windfall::sim::factorise(bodies, frequencies_[instance], settings_, static_cast<std::int32_t>(first),
-                           std::span(shapes_).subspan(first, count), std::span(factors_).subspan(first, count),
-                           std::span(inertia_).subspan(first, count));
+  const auto sink = [&](std::size_t link, std::span<const double> constants) {
+    const SlotFields<float> fields = fieldsOf(constants_.data(), constantFields_, slots_.slot[first + link]);
+    for (std::uint32_t f = 0; f < constantFields_; ++f) fields.put(f, static_cast<float>(constants[f]));
+  };
+  windfall::sim::factorise(bodies, frequencies_[instance], settings_, sink,
+                           inertia_.empty() ? std::span<LinkInertia>() : std::span(inertia_).subspan(first, count));
 }
 
 void TreeField::factorise(const FactorSettings& settings) {
+  const TreeMethod method = settings_.method;
   settings_ = settings;
+  settings_.method = method;
   for (std::size_t t = 0; t < trees_.size(); ++t) factoriseTree(t);
 }
 
@@ -61,110 +121,260 @@ void TreeField::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) 
   factoriseTree(instance);
 }
 
-LinksView TreeField::view() {
-  return {shapes_.data(), factors_.data(), motion_.data(), loads_.data(), before_.data(), after_.data()};
+float TreeField::constant(std::size_t link, std::uint32_t field) const {
+  return fieldsOf(constants_.data(), constantFields_, slots_.slot[link]).get(field);
+}
+
+vec3 TreeField::variable(std::size_t link, std::uint32_t first) const {
+  const SlotFields<const float> fields = fieldsOf(state_.data(), stateFields_, slots_.slot[link]);
+  return {fields.get(first), fields.get(first + 1), fields.get(first + 2)};
+}
+
+LinkShape TreeField::shape(std::size_t link) const {
+  const SlotFields<const float> f = fieldsOf(constants_.data(), constantFields_, slots_.slot[link]);
+  const auto vector = [&](std::uint32_t at) { return vec3(f.get(at), f.get(at + 1), f.get(at + 2)); };
+  LinkShape shape;
+  shape.halfLength = f.get(kHalf);
+  shape.weight = f.get(kWeight);
+  shape.woodDrag = f.get(kWoodDrag);
+  shape.leafDrag = f.get(kLeafDrag);
+  shape.restRotation = vec4(vector(kRestTurn), f.get(kRestTurn + 3));
+  shape.restOffset = vector(kRestOffset);
+  shape.stiffness = vec3(f.get(kBending), f.get(kBending), f.get(kTwist));
+  shape.preStress = vector(kPreStress);
+  shape.parent = parents_[link];
+  return shape;
 }
 
 void TreeField::reset() {
-  std::fill(motion_.begin(), motion_.end(), LinkMotion{});
+  const vec3 zero(0);
+  for (std::size_t i = 0; i < size(); ++i) setJoint(i, zero);
+  std::fill(sums_.begin(), sums_.end(), 0.f);
   pose();
+}
+
+void TreeField::setJoint(std::size_t link, const vec3& angle, const vec3& speed) {
+  const SlotFields<float> fields = fieldsOf(state_.data(), stateFields_, slots_.slot[link]);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    fields.put(kAngle + k, angle[static_cast<int>(k)]);
+    fields.put(kSpeed + k, speed[static_cast<int>(k)]);
+  }
 }
 
 void TreeField::pose() {
   ++revision_;
-  linkPoseRange(view(), 0, static_cast<std::uint32_t>(size()));
+  for (std::size_t i = 0; i < size(); ++i) {
+    const SlotFields<const float> constant = fieldsOf<const float>(constants_.data(), constantFields_, slots_.slot[i]);
+    const SlotFields<float> own = fieldsOf(state_.data(), stateFields_, slots_.slot[i]);
+    const V3<float> angle = vectorAt<float>(own, kAngle), speed = vectorAt<float>(own, kSpeed);
+    const bool root = parents_[i] < 0;
+    const std::size_t parentRow = root ? slots_.ground() : static_cast<std::size_t>(parents_[i]);
+    const LinkState& p = after_[parentRow];
+    const Pose<float> parent{{p.rotation.x, p.rotation.y, p.rotation.z, p.rotation.w},
+                             {p.position.x, p.position.y, p.position.z},
+                             {p.velocity.x, p.velocity.y, p.velocity.z},
+                             {p.angularVelocity.x, p.angularVelocity.y, p.angularVelocity.z}};
+    const Pose<float> pose = posed(constant, own, parent, angle, speed);
+    LinkState& state = after_[i];
+    state.rotation = vec4(pose.turn.x, pose.turn.y, pose.turn.z, pose.turn.w);
+    state.position = vec3(pose.place.x, pose.place.y, pose.place.z);
+    state.velocity = vec3(pose.velocity.x, pose.velocity.y, pose.velocity.z);
+    state.angularVelocity = vec3(pose.spin.x, pose.spin.y, pose.spin.z);
+    if (isModal(settings_.method)) {
+      // U^T K U is one, so y = U^T K theta.
+      const float k = constant.get(kBending), t = constant.get(kTwist);
+      for (std::uint32_t a = 0; a < 3; ++a) {
+        const V3<float> u = vectorAt<float>(constant, kModes + 3 * a);
+        own.put(kMode + a, u.x * k * angle.x + u.y * k * angle.y + u.z * t * angle.z);
+        own.put(kModeSpeed + a, u.x * k * speed.x + u.y * k * speed.y + u.z * t * speed.z);
+      }
+    } else if (settings_.method == TreeMethod::Coupled) {
+      V3<float> spin = speed, velocity{0, 0, 0};
+      if (!root) {
+        const SlotFields<const float> above =
+            fieldsOf<const float>(state_.data(), stateFields_, slots_.slot[parentRow]);
+        const Turn<float> turn = turnAt<float>(constant, kRestTurn);
+        const V3<float> o = vectorAt<float>(above, kSpin);
+        spin = spin + turnedBack(turn, o);
+        velocity =
+            turnedBack(turn, vectorAt<float>(above, kVelocity) + crossOf(o, vectorAt<float>(constant, kRestOffset)));
+      }
+      putVector(own, kSpin, spin);
+      putVector(own, kVelocity, velocity);
+    }
+  }
   before_ = after_;
 }
 
-void TreeField::setPoses(std::span<const LinkState> before, std::span<const LinkState> after) {
+void TreeField::setState(std::span<const float> state, std::span<const LinkState> before,
+                         std::span<const LinkState> after) {
   ++revision_;
+  std::copy(state.begin(), state.end(), state_.begin());
   std::copy(before.begin(), before.end(), before_.begin());
   std::copy(after.begin(), after.end(), after_.begin());
+  std::fill(sums_.begin(), sums_.end(), 0.f);
 }
 
-void TreeField::step(const WindView& wind) {
-  if (motion_.empty()) return;
-  before_.swap(after_);
-  sweep(view(), wind);
-}
-
-void TreeField::takeStep(std::vector<LinkMotion>& motion, std::vector<LinkState>& now) {
-  motion_.swap(motion);
+void TreeField::takeStep(AlignedVector<float>& state, AlignedVector<LinkState>& now) {
+  state_.swap(state);
   before_.swap(after_);
   after_.swap(now);
+  if (forced_) std::fill(sums_.begin(), sums_.end(), 0.f);
+  forced_ = false;
 }
 
-void TreeField::sweep(const LinksView& links, const WindView& wind) {
-  const LinkStepParameters parameters{static_cast<float>(settings_.h), static_cast<float>(settings_.implicitness)};
-  const Partition& cut = partition_;
-  const auto orderOf = [&](const Treelet& part) {
-    return std::span<const std::uint32_t>(cut.order).subspan(part.begin, part.end - part.begin);
-  };
-  const auto groups = static_cast<std::ptrdiff_t>(cut.groups.size()) - 1;
-  const auto top = static_cast<std::ptrdiff_t>(cut.top.size());
-#pragma omp parallel num_threads(threads_) if (groups > 3)
-  {
-#pragma omp for schedule(static) nowait
-    for (std::ptrdiff_t i = 0; i < top; ++i) {
-      const std::uint32_t link = cut.top[static_cast<std::size_t>(i)];
-      linkForcesRange(links, wind, link, link + 1);
+LinkSlots<float> TreeField::view() {
+  LinkSlots<float> view;
+  view.link = slots_.link.data();
+  view.parent = slots_.parent.data();
+  view.target = slots_.target.data();
+  view.constants = constants_.data();
+  view.state = state_.data();
+  view.air = air_.data();
+  view.sums = sums_.data();
+  view.moves = moves_.data();
+  view.before = reinterpret_cast<const float*>(before_.data());
+  view.after = reinterpret_cast<float*>(after_.data());
+  view.constantFields = constantFields_;
+  view.stateFields = stateFields_;
+  return view;
+}
+
+LinkStep<float> TreeField::stepParameters() const {
+  LinkStep<float> step;
+  step.h = static_cast<float>(settings_.h);
+  step.implicitness = static_cast<float>(settings_.implicitness);
+  step.geometric = settings_.method == TreeMethod::Literal ? 0.f : 1.f;
+  return step;
+}
+
+void TreeField::addForces() {
+  for (const LinkForce& f : forces_) {
+    if (f.link >= size()) continue;
+    vec3 torque = glm::cross(f.arm, f.force);
+    float* row = sums_.data() + std::size_t{f.link} * sumRow_;
+    if (settings_.method == TreeMethod::Forces) {
+      torque = rotateBack(after_[f.link].rotation, torque);
+    } else {
+      for (int k = 0; k < 3; ++k) row[k] += f.force[k];
+      row += 3;
+      if (isModal(settings_.method)) row[3] += glm::dot(f.arm, f.force);
     }
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t g = 0; g < groups; ++g) {
-      const auto group = static_cast<std::size_t>(g);
-      for (std::size_t t = cut.groups[group]; t < cut.groups[group + 1]; ++t) {
-        const Treelet part = cut.treelets[t];
-        linkForcesRange(links, wind, part.begin, part.end);
-        exports_[t] = linkUpRange(links, parameters, orderOf(part));
+    for (int k = 0; k < 3; ++k) row[k] += torque[k];
+  }
+  forced_ = forced_ || !forces_.empty();
+  forces_ = {};
+}
+
+std::span<const float> TreeField::outside() {
+  addForces();
+  return forced_ ? std::span<const float>(sums_).first(std::size_t{slots_.rows} * sumRow_) : std::span<const float>();
+}
+
+void TreeField::sampleAir(const WindView& wind) {
+  LinkSlots<float> links = view();
+  links.before = reinterpret_cast<const float*>(after_.data());
+  const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads_) if (parts > 3)
+  for (std::ptrdiff_t p = 0; p < parts; ++p) {
+    const Part part = slots_.parts[static_cast<std::size_t>(p)];
+    linkAir(links, wind, part.begin, part.end, air_.data());
+  }
+}
+
+void TreeField::crossTop(const LinkSlots<float>& links, const LinkStep<float>& step) {
+  const LinkPass up = passesOf(settings_.method).up;
+  const auto cross = [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t c = begin; c < end; ++c) {
+      float* from = links.sums + std::size_t{slots_.crossings[c].from} * sumRow_;
+      float* to = links.sums + std::size_t{slots_.crossings[c].to} * sumRow_;
+      const bool kept = slots_.crossings[c].to != slots_.ground();
+      for (std::uint32_t k = 0; k < sumRow_; ++k) {
+        if (kept) to[k] += from[k];
+        from[k] = 0;
       }
     }
+  };
+  const Part top = slots_.parts.front();
+  for (std::uint32_t block = top.end; block-- > top.begin;) {
+    cross(slots_.before[block - top.begin], slots_.before[block - top.begin + 1]);
+    up(links, step, block, block + 1);
+  }
+  cross(slots_.before.back(), static_cast<std::uint32_t>(slots_.crossings.size()));
+}
+
+void TreeField::solve() {
+  if (size() == 0) return;
+  addForces();
+  forced_ = false;
+  before_.swap(after_);
+  const LinkSlots<float> links = view();
+  const LinkStep<float> step = stepParameters();
+  const LinkPasses passes = passesOf(settings_.method);
+  const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
+  const auto part = [&](std::ptrdiff_t p) { return slots_.parts[static_cast<std::size_t>(p)]; };
+#pragma omp parallel num_threads(threads_) if (parts > 3)
+  {
+#pragma omp for schedule(dynamic)
+    for (std::ptrdiff_t p = 1; p < parts; ++p) passes.up(links, step, part(p).begin, part(p).end);
 #pragma omp single
     {
-      // Every parent sums its children from the last to the first, as inside a treelet.
-      for (const Crossing& crossing : cut.crossings) {
-        const std::int32_t parent = links.shape[crossing.link].parent;
-        const LinkLoad load = crossing.treelet >= 0 ? exports_[static_cast<std::size_t>(crossing.treelet)]
-                                                    : linkUpRange(links, parameters, {&crossing.link, 1});
-        if (parent >= 0) addLoad(links.load[parent], load);
-      }
-      linkDownRange(links, parameters, cut.top);
+      crossTop(links, step);
+      passes.down(links, step, part(0).begin, part(0).end);
     }
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t g = 0; g < groups; ++g) {
-      const auto group = static_cast<std::size_t>(g);
-      for (std::size_t t = cut.groups[group]; t < cut.groups[group + 1]; ++t) {
-        linkDownRange(links, parameters, orderOf(cut.treelets[t]));
-      }
-    }
+#pragma omp for schedule(dynamic)
+    for (std::ptrdiff_t p = 1; p < parts; ++p) passes.down(links, step, part(p).begin, part(p).end);
   }
 }
 
 double TreeField::kineticEnergy() const {
   double sum = 0;
-  for (std::size_t i = 0; i < motion_.size(); ++i) {
-    const LinkMotion& m = motion_[i];
-    const LinkInertia& body = inertia_[i];
-    const float r = shapes_[i].halfLength;
-    const vec3 o = m.angularVelocity, v = m.velocity + vec3(o.y * r, -o.x * r, 0);
-    sum += 0.5 * static_cast<double>(body.mass * glm::dot(v, v) + body.across * (o.x * o.x + o.y * o.y) +
-                                     body.along * o.z * o.z + body.floor * m.speed.z * m.speed.z);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const vec3 rate = speed(i);
+    if (settings_.method == TreeMethod::Coupled) {
+      const LinkInertia& body = inertia_[i];
+      const float r = constant(i, kHalf);
+      const vec3 o = variable(i, kSpin), v = variable(i, kVelocity) + vec3(o.y * r, -o.x * r, 0);
+      sum += 0.5 * static_cast<double>(body.mass * glm::dot(v, v) + body.across * (o.x * o.x + o.y * o.y) +
+                                       body.along * o.z * o.z + body.floor * rate.z * rate.z);
+    } else if (isModal(settings_.method)) {
+      const vec3 y = variable(i, kModeSpeed);
+      for (std::uint32_t a = 0; a < 3; ++a) {
+        const float value = y[static_cast<int>(a)];
+        sum += 0.5 * static_cast<double>(value * value / constant(i, kSquares + a));
+      }
+    } else {
+      sum += 0.5 * static_cast<double>(constant(i, kInertia) * (rate.x * rate.x + rate.y * rate.y) +
+                                       constant(i, kTwistInertia) * rate.z * rate.z);
+    }
   }
   return sum;
 }
 
 double TreeField::elasticEnergy() const {
   double sum = 0;
-  for (std::size_t i = 0; i < motion_.size(); ++i) {
-    const vec3& angle = motion_[i].angle;
-    sum += 0.5 * static_cast<double>(glm::dot(angle, shapes_[i].stiffness * angle));
+  for (std::size_t i = 0; i < size(); ++i) {
+    const vec3 a = angle(i);
+    sum += 0.5 * static_cast<double>(constant(i, kBending) * (a.x * a.x + a.y * a.y) + constant(i, kTwist) * a.z * a.z);
   }
   return sum;
 }
 
 float TreeField::largestAngle() const {
   float largest = 0;
-  for (const LinkMotion& m : motion_) largest = std::max(largest, glm::dot(m.angle, m.angle));
+  for (std::size_t i = 0; i < size(); ++i) {
+    const vec3 a = angle(i);
+    const float square = glm::dot(a, a);
+    // Written so that not a number is kept.
+    if (!(square <= largest)) largest = square;
+  }
   return std::sqrt(largest);
+}
+
+std::size_t TreeField::bytes() const {
+  const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
+  return of(constants_) + of(state_) + of(air_) + of(sums_) + of(moves_) + of(before_) + of(after_) + of(slots_.link) +
+         of(slots_.parent) + of(slots_.target);
 }
 
 }  // namespace windfall::sim

@@ -1,24 +1,48 @@
-// All trees of a scene in motion on the CPU: solver C of tree_dynamics.md.
+// All trees of a scene in motion on the CPU (tree_dynamics.md).
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "kernels/link_data.h"
-#include "kernels/wind.h"
+#include "kernels/link_loops.h"
+#include "sim/aligned.h"
 #include "sim/engine.h"
 #include "sim/factor.h"
 #include "sim/treelets.h"
 
 namespace windfall::sim {
 
+/// A force from outside on a link, in addition to wind and weight.
+struct LinkForce {
+  std::uint32_t link = 0;  ///< index over the whole field
+  vec3 force{0};           ///< world, N
+  vec3 arm{0};             ///< where it pulls, from the joint, world axes, m
+};
+
+/// A link's constants as the solvers see them.
+struct LinkShape {
+  float halfLength = 0;  ///< m
+  float weight = 0;      ///< N
+  float woodDrag = 0, leafDrag = 0;
+  vec4 restRotation{0, 0, 0, 1};
+  vec3 restOffset{0};
+  vec3 stiffness{0};  ///< N m/rad
+  vec3 preStress{0};  ///< N m
+  std::int32_t parent = -1;
+};
+
+/// How the links are cut; see Arrangement.
+struct FieldCut {
+  std::uint32_t treelet = 512;  ///< links of a subtree that is not cut further, at most
+  std::uint32_t part = 1024;    ///< links that one thread takes as a whole, about
+  std::uint32_t width = 16;     ///< slots of a round
+};
+
 /// The links of all trees, one after the other. The result of a step is the same for any number of threads.
 class TreeField {
  public:
   /// The trees have no problem (problemOf).
-  TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads,
-            std::uint32_t treeletSize = kTreeletSize);
-  static constexpr std::uint32_t kTreeletSize = 512;  ///< links that one thread takes as a whole, at most
+  TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads, const FieldCut& cut = {});
 
   /// Takes over new settings, fallen leaves (m2 a link) or trees of the same links; the motion goes on.
   void factorise(const FactorSettings& settings);
@@ -29,50 +53,77 @@ class TreeField {
   double frequency(std::size_t instance) const { return frequencies_[instance]; }  ///< first frequency, Hz
 
   void reset();
-  /// One step of settings().h in the given wind.
-  void step(const WindView& wind);
+  /// Forces for the next step alone.
+  void setForces(std::span<const LinkForce> forces) { forces_ = forces; }
+  /// The air around the links in their current pose: the first half of a step.
+  void sampleAir(const WindView& wind);
+  /// The second half: one step of settings().h in the sampled air.
+  void solve();
+  void step(const WindView& wind) {
+    sampleAir(wind);
+    solve();
+  }
 
-  /// One step that was made elsewhere from the current state: takes the new state over, gives the buffers of the old
-  /// one.
-  void takeStep(std::vector<LinkMotion>& motion, std::vector<LinkState>& now);
-  /// Counts changes of the constants, and changes of the state that were no step.
-  std::uint64_t revision() const { return revision_; }
-  const Partition& cut() const { return partition_; }
-
-  std::size_t size() const { return motion_.size(); }
+  std::size_t size() const { return slots_.links; }
   std::span<const std::uint32_t> firstLinks() const { return firstLinks_; }  ///< of each tree
   const std::vector<TreeInstance>& trees() const { return trees_; }
-  std::span<const LinkState> previous() const { return before_; }
-  std::span<const LinkState> current() const { return after_; }
-  std::span<const LinkShape> shapes() const { return shapes_; }
-  std::span<const LinkFactor> factors() const { return factors_; }
-  std::span<LinkMotion> motion() { return motion_; }
-  std::span<const LinkMotion> motion() const { return motion_; }
-  /// After the motion was written from outside: poses of the last two steps are given.
-  void setPoses(std::span<const LinkState> before, std::span<const LinkState> after);
-  /// Poses the links by their joint angles, as both last steps.
+  const Arrangement& slots() const { return slots_; }
+  std::span<const LinkState> previous() const { return std::span(before_).first(size()); }
+  std::span<const LinkState> current() const { return std::span(after_).first(size()); }
+  LinkShape shape(std::size_t link) const;
+
+  vec3 angle(std::size_t link) const { return variable(link, kAngle); }  ///< theta, rad
+  vec3 speed(std::size_t link) const { return variable(link, kSpeed); }  ///< rad/s
+  /// Sets a joint; `pose` must follow.
+  void setJoint(std::size_t link, const vec3& angle, const vec3& speed = vec3(0));
+  /// Poses the links by their joints, as both last steps, and brings the solver's own state in line.
   void pose();
+
+  /// The solver's state as numbers, and back with the poses of the last two steps. Equal numbers go on with equal bits.
+  std::span<const float> state() const { return state_; }
+  void setState(std::span<const float> state, std::span<const LinkState> before, std::span<const LinkState> after);
 
   double kineticEnergy() const;  ///< J, of the linear system
   double elasticEnergy() const;  ///< J
   float largestAngle() const;    ///< rad
+  /// Bytes of all arrays that a step reads or writes.
+  std::size_t bytes() const;
+
+  /// What a device needs to do the step in the place of `solve`. `outside`: the forces as rows of sums; empty where
+  /// there are none.
+  std::span<const float> outside();
+  LinkSlots<float> view();
+  std::span<const std::int32_t> parents() const { return parents_; }
+  std::span<const float> constants() const { return constants_; }
+  std::span<const LinkState> rows() const {
+    return after_;
+  }  ///< current poses, with those of the ground and spare ones
+  LinkStep<float> stepParameters() const;
+  std::uint32_t sumRow() const { return sumRow_; }
+  /// Counts changes of the constants, and changes of the state that were no step.
+  std::uint64_t revision() const { return revision_; }
+  /// One step that was made elsewhere from the current state: takes the new state over, gives the buffers of the old.
+  void takeStep(AlignedVector<float>& state, AlignedVector<LinkState>& now);
 
  private:
-  LinksView view();
   void factoriseTree(std::size_t instance);
-  void sweep(const LinksView& links, const WindView& wind);
+  void addForces();
+  void crossTop(const LinkSlots<float>& view, const LinkStep<float>& step);
+  vec3 variable(std::size_t link, std::uint32_t first) const;
+  float constant(std::size_t link, std::uint32_t field) const;
 
   std::vector<TreeInstance> trees_;
   FactorSettings settings_;
   int threads_;
   std::vector<std::uint32_t> firstLinks_;
-  Partition partition_;
-  std::vector<LinkShape> shapes_;
-  std::vector<LinkFactor> factors_;
-  std::vector<LinkMotion> motion_;
-  std::vector<LinkLoad> loads_, exports_;
-  std::vector<LinkState> before_, after_;
+  std::vector<std::int32_t> parents_;
+  Arrangement slots_;
+  std::uint32_t constantFields_ = 0, stateFields_ = 0, sumRow_ = 0;
+  AlignedVector<float> constants_, state_, air_, sums_, moves_;
+  AlignedVector<LinkState> before_, after_;
   std::vector<LinkInertia> inertia_;
+  std::span<const LinkForce> forces_;
+  bool forced_ = false;  ///< sums_ holds loads from outside
   std::uint64_t revision_ = 0;
   std::vector<double> frequencies_;  ///< of each tree as it was set, Hz
   std::vector<float> lostArea_;      ///< of each link's leaves, as factorised, m2

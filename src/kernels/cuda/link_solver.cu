@@ -3,35 +3,68 @@
 #include <utility>
 
 #include "kernels/cuda/buffer.h"
-#include "kernels/link_treelet.h"
+#include "kernels/link_air.h"
+#include "kernels/link_sweep.h"
 
 namespace windfall::cuda {
 
 namespace {
 
-constexpr unsigned kBlock = 128;
+constexpr unsigned kAirThreads = 128;
 
-struct Meet {
-  __device__ void operator()() const { __syncthreads(); }
+/// A forest in the device's memory.
+struct ForestView {
+  LinkChildren children;
+  const std::uint32_t* parts;
 };
 
-__global__ void forcesKernel(LinksView links, WindView wind, std::uint32_t count) {
-  const std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x;
-  if (i < count) linkForces(links, wind, i);
+__global__ void airKernel(LinkSlots<float> slots, WindView wind, float* air, std::uint32_t count) {
+  const std::uint32_t slot = blockIdx.x * blockDim.x + threadIdx.x;
+  if (slot < count) slotAir(slots, wind, slot, air);
 }
 
-/// A block a treelet; part 0 is the top.
-__global__ void upKernel(LinksView links, ForestView forest, LinkStepParameters step) {
-  sweepUp(links, forest, step, blockIdx.x + 1, threadIdx.x, blockDim.x, Meet{});
+template <class Solver>
+__device__ void upPart(const LinkSlots<float>& slots, const ForestView& forest, const LinkStep<float>& step,
+                       unsigned part) {
+  for (std::uint32_t first = forest.parts[part + 1]; first > forest.parts[part];) {
+    first -= blockDim.x;
+    slotUp<Solver>(slots, forest.children, step, first + threadIdx.x);
+    __syncthreads();
+  }
 }
 
-__global__ void topKernel(LinksView links, ForestView forest, LinkStepParameters step) {
-  sweepUp(links, forest, step, 0, threadIdx.x, blockDim.x, Meet{});
-  sweepDown(links, forest, step, 0, threadIdx.x, blockDim.x, Meet{});
+template <class Solver>
+__device__ void downPart(const LinkSlots<float>& slots, const ForestView& forest, const LinkStep<float>& step,
+                         unsigned part) {
+  for (std::uint32_t first = forest.parts[part]; first < forest.parts[part + 1]; first += blockDim.x) {
+    slotDown<Solver>(slots, step, first + threadIdx.x);
+    __syncthreads();
+  }
 }
 
-__global__ void downKernel(LinksView links, ForestView forest, LinkStepParameters step) {
-  sweepDown(links, forest, step, blockIdx.x + 1, threadIdx.x, blockDim.x, Meet{});
+/// A block of threads a part.
+template <class Solver>
+__global__ void upKernel(LinkSlots<float> slots, ForestView forest, LinkStep<float> step) {
+  upPart<Solver>(slots, forest, step, blockIdx.x + 1);
+}
+
+template <class Solver>
+__global__ void topKernel(LinkSlots<float> slots, ForestView forest, LinkStep<float> step) {
+  upPart<Solver>(slots, forest, step, 0);
+  downPart<Solver>(slots, forest, step, 0);
+}
+
+template <class Solver>
+__global__ void downKernel(LinkSlots<float> slots, ForestView forest, LinkStep<float> step) {
+  downPart<Solver>(slots, forest, step, blockIdx.x + 1);
+}
+
+template <class Solver>
+void launch(const LinkSlots<float>& slots, const ForestView& forest, const LinkStep<float>& step, unsigned parts,
+            unsigned width) {
+  if (parts > 1) upKernel<Solver><<<parts - 1, width>>>(slots, forest, step);
+  topKernel<Solver><<<1, width>>>(slots, forest, step);
+  if (parts > 1) downKernel<Solver><<<parts - 1, width>>>(slots, forest, step);
 }
 
 }  // namespace
@@ -55,41 +88,46 @@ std::vector<std::string> deviceNames(std::string* problem) {
 
 struct LinkSolver::Data {
   Outcome outcome;
-  std::size_t links = 0, treelets = 0;
-  Buffer<LinkShape> shapes;
-  Buffer<LinkFactor> factors;
-  Buffer<LinkMotion> motion;
-  Buffer<LinkLoad> loads, exports;
+  LinkMethod method{};
+  unsigned width = 0, parts = 0;
+  std::uint32_t slots = 0, constantFields = 0, stateFields = 0;
+  Buffer<float> constants, state, air, sums, outside, moves;
   Buffer<LinkState> before, after;
-  Buffer<vec4> wind, eddies;
-  const vec4* eddySource = nullptr;  ///< on the host; what `eddies` is a copy of
-  Buffer<std::uint32_t> order, levels, parts, children, childBegin;
+  Buffer<vec4> wind;
+  Buffer<std::uint32_t> link, parent, childBegin, children, partStarts;
 };
 
-LinkSolver::LinkSolver(const Forest& forest, std::size_t links, std::size_t windNodes)
+LinkSolver::LinkSolver(const Forest& forest, std::size_t constants, std::size_t state, std::size_t windNodes)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
   d.outcome.check(cudaSetDevice(0), "choice of the device");
-  d.links = links;
-  d.treelets = forest.parts.size() - 2;
-  d.shapes.allocate(links, d.outcome);
-  d.factors.allocate(links, d.outcome);
-  d.motion.allocate(links, d.outcome);
-  d.loads.allocate(links, d.outcome);
-  d.exports.allocate(links, d.outcome);
-  d.before.allocate(links, d.outcome);
-  d.after.allocate(links, d.outcome);
+  d.method = forest.method;
+  d.width = forest.width;
+  d.parts = static_cast<unsigned>(forest.parts.size()) - 1;
+  d.slots = static_cast<std::uint32_t>(forest.link.size());
+  d.constants.allocate(constants, d.outcome);
+  d.state.allocate(state, d.outcome);
+  d.air.allocate(forest.link.size() * 3, d.outcome);
+  const std::size_t sums = std::size_t{forest.rows} * forest.sumRow;
+  d.sums.allocate(sums, d.outcome);
+  d.outside.allocate(sums, d.outcome);
+  d.moves.allocate(std::size_t{forest.rows} * kMoveRow, d.outcome);
+  if (d.outcome.good()) {
+    // The ground hands no acceleration down.
+    d.outcome.check(cudaMemset(d.moves.data(), 0, std::size_t{forest.rows} * kMoveRow * sizeof(float)), "set-up");
+  }
+  d.before.allocate(forest.rows, d.outcome);
+  d.after.allocate(forest.rows, d.outcome);
   d.wind.allocate(windNodes, d.outcome);
-  d.eddies.allocate(kTileNodes, d.outcome);
   const auto place = [&](Buffer<std::uint32_t>& buffer, const std::vector<std::uint32_t>& values) {
     buffer.allocate(values.size(), d.outcome);
     buffer.write(values, d.outcome);
   };
-  place(d.order, forest.order);
-  place(d.levels, forest.levels);
-  place(d.parts, forest.parts);
-  place(d.children, forest.children);
+  place(d.link, forest.link);
+  place(d.parent, forest.parent);
   place(d.childBegin, forest.childBegin);
+  place(d.children, forest.children);
+  place(d.partStarts, forest.parts);
   d.outcome.check(cudaDeviceSynchronize(), "set-up");
 }
 
@@ -97,47 +135,63 @@ LinkSolver::~LinkSolver() = default;
 
 const std::string& LinkSolver::problem() const { return data_->outcome.problem(); }
 
-bool LinkSolver::setConstants(std::span<const LinkShape> shapes, std::span<const LinkFactor> factors) {
-  data_->shapes.write(shapes, data_->outcome);
-  data_->factors.write(factors, data_->outcome);
+bool LinkSolver::setConstants(std::span<const float> constants, std::uint32_t fields) {
+  data_->constantFields = fields;
+  data_->constants.write(constants, data_->outcome);
   return data_->outcome.good();
 }
 
-bool LinkSolver::setState(std::span<const LinkMotion> motion, std::span<const LinkState> now) {
-  data_->motion.write(motion, data_->outcome);
-  data_->after.write(now, data_->outcome);
-  return data_->outcome.good();
-}
-
-bool LinkSolver::step(const LinkStepParameters& parameters, const WindView& wind, std::span<LinkMotion> motion,
-                      std::span<LinkState> now) {
+bool LinkSolver::setState(std::span<const float> state, std::uint32_t fields, std::span<const LinkState> rows) {
   Data& d = *data_;
-  if (!d.outcome.good() || d.links == 0) return d.outcome.good();
+  d.stateFields = fields;
+  d.state.write(state, d.outcome);
+  // Rows that no step writes are needed on both sides.
+  d.before.write(rows, d.outcome);
+  d.after.write(rows, d.outcome);
+  return d.outcome.good();
+}
+
+bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, std::span<const float> outside,
+                      std::span<float> state, std::span<LinkState> rows) {
+  Data& d = *data_;
+  if (!d.outcome.good() || d.slots == 0) return d.outcome.good();
   const auto nodes =
       static_cast<std::size_t>(wind.nx) * static_cast<std::size_t>(wind.ny) * static_cast<std::size_t>(wind.nz);
   d.wind.write({wind.velocity, nodes}, d.outcome);
+  d.outside.write(outside, d.outcome);
   if (!d.outcome.good()) return false;
   d.before.swap(d.after);
-  const LinksView links{d.shapes.data(), d.factors.data(), d.motion.data(),
-                        d.loads.data(),  d.before.data(),  d.after.data()};
-  const ForestView forest{d.order.data(),    d.levels.data(),     d.parts.data(),
-                          d.children.data(), d.childBegin.data(), d.exports.data()};
+  LinkSlots<float> slots;
+  slots.link = d.link.data();
+  slots.parent = d.parent.data();
+  slots.constants = d.constants.data();
+  slots.state = d.state.data();
+  slots.air = d.air.data();
+  slots.sums = d.sums.data();
+  slots.outside = outside.empty() ? nullptr : d.outside.data();
+  slots.moves = d.moves.data();
+  slots.before = reinterpret_cast<const float*>(d.before.data());
+  slots.after = reinterpret_cast<float*>(d.after.data());
+  slots.constantFields = d.constantFields;
+  slots.stateFields = d.stateFields;
   WindView local = wind;
   local.velocity = d.wind.data();
-  // The tile is the same for a whole run of the scene, but for another seed.
-  if (wind.eddies != d.eddySource) {
-    if (wind.eddies != nullptr) d.eddies.write({wind.eddies, kTileNodes}, d.outcome);
-    d.eddySource = wind.eddies;
+  const ForestView forest{{d.childBegin.data(), d.children.data()}, d.partStarts.data()};
+  airKernel<<<(d.slots + kAirThreads - 1) / kAirThreads, kAirThreads>>>(slots, local, d.air.data(), d.slots);
+  switch (d.method) {
+    case LinkMethod::Coupled:
+      launch<CoupledSolver>(slots, forest, parameters, d.parts, d.width);
+      break;
+    case LinkMethod::Modal:
+      launch<ModalSolver>(slots, forest, parameters, d.parts, d.width);
+      break;
+    case LinkMethod::Forces:
+      launch<ForcesSolver>(slots, forest, parameters, d.parts, d.width);
+      break;
   }
-  local.eddies = wind.eddies == nullptr ? nullptr : d.eddies.data();
-  const auto count = static_cast<std::uint32_t>(d.links);
-  forcesKernel<<<(count + kBlock - 1) / kBlock, kBlock>>>(links, local, count);
-  if (d.treelets > 0) upKernel<<<static_cast<unsigned>(d.treelets), kBlock>>>(links, forest, parameters);
-  topKernel<<<1, kBlock>>>(links, forest, parameters);
-  if (d.treelets > 0) downKernel<<<static_cast<unsigned>(d.treelets), kBlock>>>(links, forest, parameters);
   d.outcome.check(cudaGetLastError(), "launch of the tree solver");
-  d.motion.read(motion, d.outcome);
-  d.after.read(now, d.outcome);
+  d.state.read(state, d.outcome);
+  d.after.read(rows, d.outcome);
   return d.outcome.check(cudaDeviceSynchronize(), "the tree solver");
 }
 

@@ -1,4 +1,4 @@
-// The tree solver on a CUDA device, seen from C++ that knows no CUDA.
+// The tree solvers on a CUDA device, seen from C++ that knows no CUDA.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/link_data.h"
+#include "kernels/link_slots.h"
 #include "kernels/wind.h"
 
 namespace windfall::cuda {
@@ -15,27 +15,38 @@ namespace windfall::cuda {
 /// Names of the usable devices; empty where there is none. `problem` says why, in one line.
 std::vector<std::string> deviceNames(std::string* problem = nullptr);
 
-/// The arrays of a ForestView on the host. Part 0 holds the links above all treelets.
+enum class LinkMethod { Coupled, Modal, Forces };
+
+/// How a forest's slots are worked through: every part in rounds of `width` slots that do not wait for each other.
+/// Part 0 holds the links above all treelets.
 struct Forest {
-  std::vector<std::uint32_t> order, levels, parts, children, childBegin;
+  LinkMethod method = LinkMethod::Coupled;
+  std::uint32_t width = 128;
+  std::uint32_t rows = 0;                                         ///< of poses
+  std::uint32_t sumRow = 0;                                       ///< numbers of a row of sums
+  std::vector<std::uint32_t> link, parent, childBegin, children;  ///< kernels/link_slots.h, link_sweep.h
+  std::vector<std::uint32_t> parts;                               ///< first slot of each part; one more at the end
 };
 
 /// All links on device 0. An error is sticky: every later call does nothing and returns false.
 class LinkSolver {
  public:
-  LinkSolver(const Forest& forest, std::size_t links, std::size_t windNodes);
+  /// Launches of a step, whatever the depth of the trees: air, up, top, down.
+  static constexpr int kLaunches = 4;
+
+  LinkSolver(const Forest& forest, std::size_t constants, std::size_t state, std::size_t windNodes);
   ~LinkSolver();
   LinkSolver(const LinkSolver&) = delete;
   LinkSolver& operator=(const LinkSolver&) = delete;
 
-  /// New constants of all links.
-  bool setConstants(std::span<const LinkShape> shapes, std::span<const LinkFactor> factors);
-  /// New state of all links; `now` is the pose at the end of the last step.
-  bool setState(std::span<const LinkMotion> motion, std::span<const LinkState> now);
-  /// One step in the host's wind lattice, in four launches whatever the depth of the trees; the state comes back to the
-  /// host's arrays.
-  bool step(const LinkStepParameters& parameters, const WindView& wind, std::span<LinkMotion> motion,
-            std::span<LinkState> now);
+  /// New constants of all slots.
+  bool setConstants(std::span<const float> constants, std::uint32_t fields);
+  /// New state of all slots; `rows` are the poses at the end of the last step, the ground's and spare ones included.
+  bool setState(std::span<const float> state, std::uint32_t fields, std::span<const LinkState> rows);
+  /// One step in the host's wind lattice; `outside` (empty: none) are rows of loads from outside. State and poses come
+  /// back to the host's arrays.
+  bool step(const LinkStep<float>& parameters, const WindView& wind, std::span<const float> outside,
+            std::span<float> state, std::span<LinkState> rows);
   /// Empty, or one line on what went wrong.
   const std::string& problem() const;
 

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
-#include "kernels/link_treelet.h"
+#include "kernels/link_air.h"
+#include "kernels/link_sweep.h"
 #include "sim/engine.h"
 #include "sim/sample_tree.h"
 #include "sim/tree_field.h"
@@ -61,6 +63,58 @@ TEST_CASE("every device moves the trees as the CPU does") {
   }
 }
 
+namespace {
+
+/// A step as the GPU makes it: with a slot at a time, parents gathering from their children.
+template <class Solver>
+void sweep(TreeField& field, const LinkSlots<float>& slots, const LinkChildren& children) {
+  const LinkStep<float> step = field.stepParameters();
+  const std::vector<Part>& parts = field.slots().parts;
+  const auto up = [&](const Part& part) {
+    for (std::uint32_t s = part.end * kSlotBlock; s-- > part.begin * kSlotBlock;)
+      slotUp<Solver>(slots, children, step, s);
+  };
+  const auto down = [&](const Part& part) {
+    for (std::uint32_t s = part.begin * kSlotBlock; s < part.end * kSlotBlock; ++s) slotDown<Solver>(slots, step, s);
+  };
+  for (std::size_t p = 1; p < parts.size(); ++p) up(parts[p]);
+  for (std::size_t p = 0; p < 1; ++p) up(parts[p]);
+  for (const Part& part : parts) down(part);
+}
+
+void stepSlotBySlot(TreeField& field, const WindView& wind) {
+  const std::span<const float> given = field.outside();
+  const std::vector<float> outside(given.begin(), given.end());
+  AlignedVector<float> state(field.state().begin(), field.state().end()), air(field.slots().link.size() * 3);
+  AlignedVector<LinkState> now(field.rows().begin(), field.rows().end());
+  AlignedVector<float> sums(std::size_t{field.slots().rows} * field.sumRow()), moves(field.slots().rows * kMoveRow);
+  const Gathering gathering = gatheringOf(field.slots(), field.parents());
+  LinkSlots<float> slots = field.view();
+  slots.before = reinterpret_cast<const float*>(field.rows().data());
+  slots.after = reinterpret_cast<float*>(now.data());
+  slots.state = state.data();
+  slots.sums = sums.data();
+  slots.moves = moves.data();
+  slots.air = air.data();
+  slots.outside = outside.empty() ? nullptr : outside.data();
+  for (std::uint32_t s = 0; s < field.slots().link.size(); ++s) slotAir(slots, wind, s, air.data());
+  const LinkChildren children{gathering.begin.data(), gathering.rows.data()};
+  switch (field.settings().method) {
+    case TreeMethod::Coupled:
+      sweep<CoupledSolver>(field, slots, children);
+      break;
+    case TreeMethod::Forces:
+      sweep<ForcesSolver>(field, slots, children);
+      break;
+    default:
+      sweep<ModalSolver>(field, slots, children);
+      break;
+  }
+  field.takeStep(state, now);
+}
+
+}  // namespace
+
 TEST_CASE("the automatic choice always works, and a missing device is named") {
   const auto automatic = Engine::create(forest(), Device::Auto);
   REQUIRE(automatic);
@@ -74,41 +128,60 @@ TEST_CASE("the automatic choice always works, and a missing device is named") {
 }
 
 // Compiled here for the plainest instruction set, while the loops run on the best one of this machine.
-TEST_CASE("the sweep of a group of threads gives the bits of the loops, on any instruction set") {
+TEST_CASE("a pass slot by slot, as on the GPU, gives the bits of the wide loops") {
   const SceneDescription description = forest();
   WindField wind(vec3(-10, 0, -10), vec3(15, 12, 15), description.wind, 1);
   wind.advance(1);
-  FactorSettings settings;
-  settings.windSpeed = 9;
-  TreeField field(description.trees, settings, 1, 200), grouped(description.trees, settings, 1, 200);
-  std::vector<std::int32_t> parents;
-  for (const LinkShape& shape : field.shapes()) parents.push_back(shape.parent);
-  const cuda::Forest arrays = forestOf(field.cut(), parents);
-  std::vector<LinkLoad> loads(field.size()), exports(field.size());
-  const ForestView forestView{arrays.order.data(),    arrays.levels.data(),     arrays.parts.data(),
-                              arrays.children.data(), arrays.childBegin.data(), exports.data()};
-  const auto parts = static_cast<std::uint32_t>(arrays.parts.size()) - 1;
-  const auto wait = [] {};
-  for (int i = 0; i < 30; ++i) {
-    field.step(wind.view());
-    std::vector<LinkMotion> motion(grouped.motion().begin(), grouped.motion().end());
-    std::vector<LinkState> now(grouped.size());
-    const LinksView links{grouped.shapes().data(),
-                          grouped.factors().data(),
-                          motion.data(),
-                          loads.data(),
-                          grouped.current().data(),
-                          now.data()};
-    const LinkStepParameters step{static_cast<float>(settings.h), static_cast<float>(settings.implicitness)};
-    for (std::uint32_t k = 0; k < grouped.size(); ++k) linkForces(links, wind.view(), k);
-    for (std::uint32_t part = 1; part < parts; ++part) sweepUp(links, forestView, step, part, 0, 1, wait);
-    sweepUp(links, forestView, step, 0, 0, 1, wait);
-    sweepDown(links, forestView, step, 0, 0, 1, wait);
-    for (std::uint32_t part = 1; part < parts; ++part) sweepDown(links, forestView, step, part, 0, 1, wait);
-    grouped.takeStep(motion, now);
+  for (const std::uint32_t width : {16u, 128u}) {
+    FactorSettings settings;
+    settings.windSpeed = 9;
+    for (const TreeMethod method :
+         {TreeMethod::Coupled, TreeMethod::Analytic, TreeMethod::Forces, TreeMethod::Literal}) {
+      settings.method = method;
+      const FieldCut cut{200, 400, width};
+      TreeField field(description.trees, settings, 1, cut), single(description.trees, settings, 1, cut);
+      for (int i = 0; i < 30; ++i) {
+        const LinkForce pull{40, vec3(3, 1, 2), vec3(0.1f, 0, 0)};
+        field.setForces({&pull, 1});
+        single.setForces({&pull, 1});
+        field.step(wind.view());
+        stepSlotBySlot(single, wind.view());
+      }
+      CHECK(field.largestAngle() > 0.001f);
+      for (std::size_t i = 0; i < field.size(); ++i) {
+        REQUIRE(field.current()[i].position == single.current()[i].position);
+        REQUIRE(field.current()[i].rotation == single.current()[i].rotation);
+      }
+    }
   }
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    REQUIRE(field.current()[i].position == grouped.current()[i].position);
-    REQUIRE(field.current()[i].rotation == grouped.current()[i].rotation);
+}
+
+TEST_CASE("every instruction set gives the same bits") {
+  const SceneDescription description = forest();
+  WindField wind(vec3(-10, 0, -10), vec3(15, 12, 15), description.wind, 1);
+  wind.advance(1);
+  const LinkLoopsList list = everyLinkLoops();
+  CHECK(list.count >= 1);
+  for (const TreeMethod method : {TreeMethod::Coupled, TreeMethod::Analytic, TreeMethod::Forces}) {
+    FactorSettings settings;
+    settings.windSpeed = 9;
+    settings.method = method;
+    TreeField start(description.trees, settings, 1);
+    for (int i = 0; i < 5; ++i) start.step(wind.view());
+    std::vector<float> first;
+    for (int k = 0; k < list.count; ++k) {
+      TreeField field = start;
+      field.sampleAir(wind.view());
+      const LinkSlots<float> view = field.view();
+      const LinkPasses passes = method == TreeMethod::Coupled    ? list.all[k]->coupled
+                                : method == TreeMethod::Analytic ? list.all[k]->modal
+                                                                 : list.all[k]->forces;
+      // All parts but the top, whose links stay behind: what matters is that all do the same.
+      for (const Part& part : field.slots().parts) passes.up(view, field.stepParameters(), part.begin, part.end);
+      for (const Part& part : field.slots().parts) passes.down(view, field.stepParameters(), part.begin, part.end);
+      const std::vector<float> state(field.state().begin(), field.state().end());
+      if (first.empty()) first = state;
+      CHECK(std::memcmp(first.data(), state.data(), state.size() * sizeof(float)) == 0);
+    }
   }
 }

@@ -21,31 +21,54 @@ std::vector<std::int32_t> parentsOf(const Tree& tree, int copies) {
 
 }  // namespace
 
-TEST_CASE("a partition holds every link once, in whole subtrees of the size asked for") {
+TEST_CASE("every link has one slot, parents come in earlier rounds, and treelets are whole") {
   const std::vector<std::int32_t> parents = parentsOf(sampleTree(), 3);
+  const auto count = static_cast<std::uint32_t>(parents.size());
   for (const std::uint32_t size : {1u, 7u, 100u, 512u, 100000u}) {
-    CAPTURE(size);
-    const Partition cut = partition(parents, size);
-    std::vector<int> seen(parents.size());
-    for (const std::uint32_t link : cut.top) ++seen[link];
-    for (const Treelet& part : cut.treelets) {
-      CHECK(part.end - part.begin <= size);
-      for (std::uint32_t i = part.begin; i < part.end; ++i) {
-        ++seen[i];
-        if (i > part.begin) CHECK(parents[i] >= static_cast<std::int32_t>(part.begin));
+    for (const std::uint32_t width : {16u, 128u}) {
+      CAPTURE(size);
+      CAPTURE(width);
+      const Arrangement slots = arrange(parents, size, 2 * size, width);
+      CHECK(slots.link.size() % width == 0);
+      std::vector<int> seen(count), partOf(count);
+      bool early = true, whole = true;
+      for (std::size_t p = 0; p < slots.parts.size(); ++p) {
+        for (std::uint32_t s = slots.parts[p].begin * 16; s < slots.parts[p].end * 16; ++s) {
+          const std::uint32_t link = slots.link[s];
+          if (link >= count) continue;
+          ++seen[link];
+          partOf[link] = static_cast<int>(p);
+          if (parents[link] < 0) {
+            CHECK(slots.parent[s] == slots.ground());
+            continue;
+          }
+          const auto above = static_cast<std::uint32_t>(parents[link]);
+          CHECK(slots.parent[s] == above);
+          const bool crosses = slots.target[s] != above;
+          // A parent is in the same part and an earlier round, or above all treelets.
+          const std::uint32_t slot = slots.slot[above];
+          if (partOf[above] == static_cast<int>(p))
+            early = early && slot / width < s / width;
+          else
+            whole = whole && partOf[above] == 0 && crosses;
+        }
       }
-      if (part.end < parents.size()) CHECK(parents[part.end] < static_cast<std::int32_t>(part.begin));
+      CHECK(early);
+      CHECK(whole);
+      CHECK(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
     }
-    CHECK(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
-    CHECK(cut.groups.front() == 0);
-    CHECK(cut.groups.back() == cut.treelets.size());
-    CHECK(std::is_sorted(cut.crossings.begin(), cut.crossings.end(),
-                         [](const Crossing& a, const Crossing& b) { return a.link > b.link; }));
   }
 }
 
-TEST_CASE("an empty forest has an empty partition") {
-  const Partition cut = partition({}, 512);
-  CHECK(cut.treelets.empty());
-  CHECK(cut.top.empty());
+TEST_CASE("rounds are filled well") {
+  const std::vector<std::int32_t> parents = parentsOf(sampleTree(tenThousandLinks()), 1);
+  const Arrangement slots = arrange(parents, 512, 1024, 16);
+  CHECK(static_cast<double>(parents.size()) / static_cast<double>(slots.link.size()) > 0.85);
+}
+
+TEST_CASE("an empty forest has no slots") {
+  const Arrangement slots = arrange({}, 512, 1024, 16);
+  CHECK(slots.link.empty());
+  CHECK(slots.parts.size() == 1);
+  CHECK(slots.crossings.empty());
 }

@@ -1,0 +1,95 @@
+// The modes of the analytic solver's joints (tree_dynamics.md, 5.2, 5.6 to 5.8).
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernels/link_modal.h"
+#include "sim/axis_modes.h"
+#include "sim/factor.h"
+
+namespace windfall::sim {
+
+namespace {
+
+using glm::dmat3;
+using glm::dvec3;
+
+/// Eigenvalues and vectors (columns) of a symmetric matrix by Jacobi's turns.
+void eigen(dmat3 a, dvec3& values, dmat3& vectors) {
+  vectors = dmat3(1);
+  for (int sweep = 0; sweep < 8; ++sweep) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        const double off = a[q][p];
+        if (off == 0) continue;
+        const double t = (a[q][q] - a[p][p]) / (2 * off);
+        const double tangent = (t < 0 ? -1.0 : 1.0) / (std::abs(t) + std::sqrt(t * t + 1));
+        const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
+        dmat3 turn(1);
+        turn[p][p] = turn[q][q] = c;
+        turn[q][p] = s;
+        turn[p][q] = -s;
+        a = glm::transpose(turn) * a * turn;
+        vectors = vectors * turn;
+      }
+    }
+  }
+  values = dvec3(a[0][0], a[1][1], a[2][2]);
+}
+
+/// The drag's slope in the place of mass.
+std::vector<LinkBody> dragBodies(const std::vector<LinkBody>& bodies, const FactorSettings& settings) {
+  std::vector<LinkBody> drags = bodies;
+  for (std::size_t i = 0; i < drags.size(); ++i) {
+    drags[i].mass = dragSlope(bodies[i], settings);
+    drags[i].across = drags[i].along = 0;
+  }
+  return drags;
+}
+
+}  // namespace
+
+void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& settings, const ConstantSink& sink) {
+  const std::vector<Composite> composites = compositesOf(bodies);
+  const std::vector<Composite> drags = compositesOf(dragBodies(bodies, settings));
+  const bool calibrated = settings.calibrate && settings.method != TreeMethod::Literal;
+  const std::vector<AxisMode> modes =
+      calibrated ? axisModes(bodies, composites, drags) : std::vector<AxisMode>(bodies.size());
+  const RestLoads loads = restLoads(bodies, settings);
+  std::array<double, kModalConstants> constants{};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const LinkBody& body = bodies[i];
+    dmat3 inertia = glm::transpose(body.axes) * composites[i].inertia * body.axes;
+    if (settings.twistFloor) inertia[2][2] += twistFloor(body, composites[i]);
+    // By itself every joint would swing too fast, the more so the finer the axis is cut; as part of the axis' mode it
+    // has the inertia k / Omega^2.
+    double air = 0;
+    if (calibrated && modes[i].square > 0) {
+      const double bending = inertia[0][0] * inertia[1][1] - inertia[1][0] * inertia[0][1];
+      inertia *= body.stiffness.x / (modes[i].square * std::sqrt(std::max(bending, 1e-300)));
+      air = modes[i].airRate;
+    } else {
+      const dmat3 &drag = drags[i].inertia, &mass = composites[i].inertia;
+      air = (drag[0][0] + drag[1][1] + drag[2][2]) / (mass[0][0] + mass[1][1] + mass[2][2]);
+    }
+    const dvec3 s = 1.0 / glm::sqrt(body.stiffness);
+    dmat3 scaled = inertia;
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) scaled[column][row] *= s[column] * s[row];
+    }
+    dvec3 mu;
+    dmat3 vectors;
+    eigen(scaled, mu, vectors);
+    commonConstants(bodies, i, settings, loads.preStress[i], constants);
+    for (int a = 0; a < 3; ++a) {
+      const double lambda = 1 / std::max(mu[a], 1e-30);
+      for (int row = 0; row < 3; ++row) constants[kModes + 3 * a + row] = s[row] * vectors[a][row];
+      constants[kSquares + a] = lambda;
+      constants[kDampings + a] = body.dampingScale * settings.dampingRatio * std::sqrt(lambda) +
+                                 0.5 * (air + settings.rayleighAlpha + settings.rayleighBeta * lambda);
+    }
+    sink(i, constants);
+  }
+}
+
+}  // namespace windfall::sim
