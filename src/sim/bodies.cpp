@@ -77,6 +77,7 @@ std::vector<LinkBody> bodiesOf(const Tree& tree, const Placement& placement, std
     body.dampingScale = static_cast<double>(link.dampingScale);
     body.rayleighAlpha = static_cast<double>(link.rayleighAlpha);
     body.rayleighBeta = static_cast<double>(link.rayleighBeta);
+    body.propagation = static_cast<double>(link.propagation);
     const double wind = static_cast<double>(link.windScale);
     body.woodDrag = 0.5 * kAirDensity * 2 * body.radius * body.length * wind;
     body.leafDrag = 0.5 * kAirDensity * kLeafDrag * area * wind;
@@ -197,6 +198,7 @@ std::string problemOf(const Tree& tree) {
     if (!notNegative(link.rayleighAlpha) || !notNegative(link.rayleighBeta)) {
       return at(i, "its Rayleigh damping is negative or not a number");
     }
+    if (!notNegative(link.propagation)) return at(i, "its propagation is negative or not a number");
     if (!notNegative(link.windScale)) return at(i, "its wind response is negative or not a number");
   }
   for (std::size_t i = 0; i < tree.sites.size(); ++i) {

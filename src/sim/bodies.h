@@ -23,7 +23,8 @@ struct LinkBody {
   glm::dvec3 stiffness{1};       ///< N m/rad: bending, bending, twist
   double dampingScale = 1;
   double rayleighAlpha = 0, rayleighBeta = 0;  ///< 1/s and s, beside the structural damping
-  double woodDrag = 0, leafDrag = 0;  ///< see LinkShape
+  double propagation = 0.8;                    ///< of the forces method: k_c of its section 7
+  double woodDrag = 0, leafDrag = 0;           ///< see LinkShape
   /// Centre of mass from the joint, world.
   glm::dvec3 arm() const { return axes[2] * (0.5 * length); }
 };

@@ -61,9 +61,6 @@ FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, 
   settings.h = static_cast<double>(scene.solver.step);
   settings.method = scene.solver.method;
   settings.dampingRatio = static_cast<double>(scene.solver.structuralDamping);
-  settings.rayleighAlpha = static_cast<double>(scene.solver.rayleighAlpha);
-  settings.rayleighBeta = static_cast<double>(scene.solver.rayleighBeta);
-  settings.propagation = static_cast<double>(scene.solver.propagation);
   settings.windSpeed = static_cast<double>(wind.level(time));
   settings.windDirection = glm::dvec3(wind.direction(time));
   return settings;
@@ -303,7 +300,8 @@ std::vector<std::uint8_t> CpuEngine::save() const {
   body.value(steps_);
   body.value(accumulator_);
   body.value(wind_.anchor());
-  body.values(trees_.state());
+  const std::vector<float> motion = trees_.state();
+  body.values(std::span<const float>(motion));
   body.values(trees_.previous());
   body.values(trees_.current());
   body.values(std::span<const float>(lostArea_));

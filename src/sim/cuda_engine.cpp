@@ -50,8 +50,8 @@ class CudaEngine final : public CpuEngine {
   CudaEngine(const SceneDescription& scene, int threads, std::string name)
       : CpuEngine(scene, threads, kCut),
         name_(std::move(name)),
-        solver_(forestOf(trees()), trees().constants().size(), trees().state().size(), nodesOf(windView())),
-        state_(trees().state().size()),
+        solver_(forestOf(trees()), trees().constants().size(), trees().slotState().size(), nodesOf(windView())),
+        state_(trees().slotState().size()),
         now_(trees().rows().size()) {}
 
   DeviceInfo device() const override {
@@ -64,9 +64,10 @@ class CudaEngine final : public CpuEngine {
     if (solver_.problem().empty() && revision_ != trees.revision()) {
       const LinkSlots<float> view = trees.view();
       solver_.setConstants(trees.constants(), view.constantFields);
-      solver_.setState(trees.state(), view.stateFields, trees.rows());
+      solver_.setState(trees.slotState(), view.stateFields, trees.rows());
       revision_ = trees.revision();
     }
+    trees.follow(wind.pull);
     if (solver_.step(trees.stepParameters(), wind, trees.outside(), state_, now_)) {
       trees.takeStep(state_, now_);
     } else {

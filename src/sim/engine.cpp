@@ -37,6 +37,19 @@ std::string problemOf(const SceneDescription& scene) {
 
 }  // namespace
 
+namespace {
+constexpr const char* kMethodNames[] = {"coupled", "analytic", "forces", "literal"};
+}
+
+const char* nameOf(TreeMethod method) { return kMethodNames[static_cast<int>(method)]; }
+
+std::optional<TreeMethod> treeMethodNamed(std::string_view name) {
+  for (int i = 0; i < 4; ++i) {
+    if (name == kMethodNames[i]) return static_cast<TreeMethod>(i);
+  }
+  return {};
+}
+
 std::vector<DeviceInfo> devices() {
   const int threads = omp_get_max_threads();
   std::vector<DeviceInfo> all{

@@ -128,7 +128,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
   for (std::size_t i = n; i-- > 0;) {
     const LinkBody& body = bodies[i];
     // Damping by mass acts as a drag of the whole link.
-    const double slope = dragSlope(body, settings) + settings.rayleighAlpha * body.mass;
+    const double slope = dragSlope(body, settings) + body.rayleighAlpha * body.mass;
     const double heavy = body.mass + vh * slope;
     const dmat3 arm = skew(dvec3(0, 0, 0.5 * body.length));
     dmat3& j = inertia[i];
@@ -138,7 +138,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
     h += heavy * arm;
     m += dmat3(heavy);
 
-    const double ownBeta = std::max(0.0, (beta + settings.rayleighBeta) * body.dampingScale - numerical);
+    const double ownBeta = std::max(0.0, beta * body.dampingScale + body.rayleighBeta - numerical);
     const double geometric = loads.geometric[i];
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;

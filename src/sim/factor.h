@@ -17,9 +17,6 @@ struct FactorSettings {
   double h = 1.0 / 60;              ///< s
   double implicitness = 0.6;        ///< theta of 6.1
   double dampingRatio = 0.03;       ///< structural: of the first mode (coupled), of each joint (analytic)
-  double rayleighAlpha = 0;         ///< damping by mass on top, 1/s
-  double rayleighBeta = 0;          ///< damping by stiffness on top, s
-  double propagation = 0.8;         ///< k_c of the forces method, 0..1
   bool compensate = true;           ///< numerical damping is taken off the structural one
   glm::dvec3 gravity{0, -9.81, 0};  ///< m/s2
   double windSpeed = 0;             ///< mean at 10 m, m/s, for the drag's slope

@@ -17,8 +17,8 @@ void factoriseForces(const std::vector<LinkBody>& bodies, const FactorSettings& 
     const double across = body.across + 0.25 * body.mass * body.length * body.length;
     const double along = std::max(body.along, 0.3 * across);
     const auto structural = [&](double k, double inertia) {
-      return body.dampingScale * (2 * settings.dampingRatio * std::sqrt(k * inertia) + settings.rayleighBeta * k) +
-             settings.rayleighAlpha * inertia;
+      return body.dampingScale * 2 * settings.dampingRatio * std::sqrt(k * inertia) + body.rayleighBeta * k +
+             body.rayleighAlpha * inertia;
     };
     const double air = dragSlope(body, settings) * body.length * body.length / 3;
     constants[kInertia] = across;
@@ -28,7 +28,7 @@ void factoriseForces(const std::vector<LinkBody>& bodies, const FactorSettings& 
     // A cylinder that sweeps about its end: the drag's torque is 0.5 rho d l^4 / 4 w |w|.
     constants[kQuadraticDamping] = 0.25 * body.woodDrag * std::pow(body.length, 3);
     const double parent = body.parent < 0 ? body.radius : bodies[static_cast<std::size_t>(body.parent)].radius;
-    constants[kPropagation] = std::clamp(settings.propagation * body.radius / parent, 0.0, 0.8);
+    constants[kPropagation] = std::clamp(body.propagation * body.radius / parent, 0.0, 0.8);
     sink(i, constants);
   }
 }

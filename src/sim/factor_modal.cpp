@@ -86,7 +86,7 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
       for (int row = 0; row < 3; ++row) constants[kModes + 3 * a + row] = s[row] * vectors[a][row];
       constants[kSquares + a] = lambda;
       constants[kDampings + a] = body.dampingScale * settings.dampingRatio * std::sqrt(lambda) +
-                                 0.5 * (air + settings.rayleighAlpha + settings.rayleighBeta * lambda);
+                                 0.5 * (air + body.rayleighAlpha + body.rayleighBeta * lambda);
     }
     sink(i, constants);
   }

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <cstdint>
+<<<<<<< HEAD
 #include <string>
 #include <vector>
+=======
+#include <optional>
+#include <string_view>
+>>>>>>> d8402cb (Trees: the method is a choice of the scene and the command line; motion is kept across devices)
 
 #include "kernels/math.h"
 
@@ -78,15 +83,16 @@ enum class TreeMethod {
   Literal    ///< the analytic form as published, without the repair of its frequencies: for comparison
 };
 
+/// "coupled", "analytic", "forces", "literal": as the command line and benchmarks name them; and back.
+const char* nameOf(TreeMethod method);
+std::optional<TreeMethod> treeMethodNamed(std::string_view name);
+
 /// Links' solver.
 struct SolverSettings {
   float step = 1.f / 60;            ///< fixed step, s
   float structuralDamping = 0.03f;  ///< modal ratio
   TreeMethod method = TreeMethod::Coupled;
-  bool axisMotion = true;    ///< analytic: a branch feels how its base moves (5.9)
-  float rayleighAlpha = 0;   ///< damping by mass on top, 1/s
-  float rayleighBeta = 0;    ///< damping by stiffness on top, s
-  float propagation = 0.8f;  ///< forces: part of a branch's restoring torque that its parent feels, at most, 0..0.8
+  bool axisMotion = true;  ///< analytic: a branch feels how its base moves (5.9)
   bool operator==(const SolverSettings&) const = default;
 };
 

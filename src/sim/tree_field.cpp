@@ -206,10 +206,23 @@ void TreeField::pose() {
   before_ = after_;
 }
 
+std::vector<float> TreeField::state() const {
+  std::vector<float> all;
+  all.reserve(size() * stateFields_);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const SlotFields<const float> fields = fieldsOf(state_.data(), stateFields_, slots_.slot[i]);
+    for (std::uint32_t f = 0; f < stateFields_; ++f) all.push_back(fields.get(f));
+  }
+  return all;
+}
+
 void TreeField::setState(std::span<const float> state, std::span<const LinkState> before,
                          std::span<const LinkState> after) {
   ++revision_;
-  std::copy(state.begin(), state.end(), state_.begin());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const SlotFields<float> fields = fieldsOf(state_.data(), stateFields_, slots_.slot[i]);
+    for (std::uint32_t f = 0; f < stateFields_; ++f) fields.put(f, state[i * stateFields_ + f]);
+  }
   std::copy(before.begin(), before.end(), before_.begin());
   std::copy(after.begin(), after.end(), after_.begin());
   std::fill(sums_.begin(), sums_.end(), 0.f);
@@ -248,22 +261,28 @@ LinkStep<float> TreeField::stepParameters() const {
   return step;
 }
 
+void TreeField::follow(const LinkPull& pull) { pull_ = {pull.link, pull.force, pull.arm}; }
+
 void TreeField::addForces() {
-  for (const LinkForce& f : forces_) {
-    if (f.link >= size()) continue;
-    vec3 torque = glm::cross(f.arm, f.force);
-    float* row = sums_.data() + std::size_t{f.link} * sumRow_;
-    if (settings_.method == TreeMethod::Forces) {
-      torque = rotateBack(after_[f.link].rotation, torque);
-    } else {
-      for (int k = 0; k < 3; ++k) row[k] += f.force[k];
-      row += 3;
-      if (isModal(settings_.method)) row[3] += glm::dot(f.arm, f.force);
-    }
-    for (int k = 0; k < 3; ++k) row[k] += torque[k];
-  }
-  forced_ = forced_ || !forces_.empty();
+  addForce(pull_);
+  pull_ = {};
+  for (const LinkForce& f : forces_) addForce(f);
   forces_ = {};
+}
+
+void TreeField::addForce(const LinkForce& f) {
+  if (f.link >= size()) return;
+  forced_ = true;
+  vec3 torque = glm::cross(f.arm, f.force);
+  float* row = sums_.data() + std::size_t{f.link} * sumRow_;
+  if (settings_.method == TreeMethod::Forces) {
+    torque = rotateBack(after_[f.link].rotation, torque);
+  } else {
+    for (int k = 0; k < 3; ++k) row[k] += f.force[k];
+    row += 3;
+    if (isModal(settings_.method)) row[3] += glm::dot(f.arm, f.force);
+  }
+  for (int k = 0; k < 3; ++k) row[k] += torque[k];
 }
 
 std::span<const float> TreeField::outside() {
@@ -274,6 +293,7 @@ std::span<const float> TreeField::outside() {
 void TreeField::sampleAir(const WindView& wind) {
   LinkSlots<float> links = view();
   links.before = reinterpret_cast<const float*>(after_.data());
+  follow(wind.pull);
   const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_) if (parts > 3)
   for (std::ptrdiff_t p = 0; p < parts; ++p) {

@@ -14,7 +14,7 @@ namespace windfall::sim {
 
 /// A force from outside on a link, in addition to wind and weight.
 struct LinkForce {
-  std::uint32_t link = 0;  ///< index over the whole field
+  std::uint32_t link = 0xffffffffu;  ///< index over the whole field; none
   vec3 force{0};           ///< world, N
   vec3 arm{0};             ///< where it pulls, from the joint, world axes, m
 };
@@ -55,7 +55,9 @@ class TreeField {
   void reset();
   /// Forces for the next step alone.
   void setForces(std::span<const LinkForce> forces) { forces_ = forces; }
-  /// The air around the links in their current pose: the first half of a step.
+  /// A hand on a link, for the next step alone.
+  void follow(const LinkPull& pull);
+  /// The air around the links in their current pose, and the hand: the first half of a step.
   void sampleAir(const WindView& wind);
   /// The second half: one step of settings().h in the sampled air.
   void solve();
@@ -79,8 +81,9 @@ class TreeField {
   /// Poses the links by their joints, as both last steps, and brings the solver's own state in line.
   void pose();
 
-  /// The solver's state as numbers, and back with the poses of the last two steps. Equal numbers go on with equal bits.
-  std::span<const float> state() const { return state_; }
+  /// The solver's state as numbers, link by link, whatever the cut; and back with the poses of the last two steps.
+  /// Equal numbers go on with equal bits.
+  std::vector<float> state() const;
   void setState(std::span<const float> state, std::span<const LinkState> before, std::span<const LinkState> after);
 
   double kineticEnergy() const;  ///< J, of the linear system
@@ -95,6 +98,7 @@ class TreeField {
   LinkSlots<float> view();
   std::span<const std::int32_t> parents() const { return parents_; }
   std::span<const float> constants() const { return constants_; }
+  std::span<const float> slotState() const { return state_; }
   std::span<const LinkState> rows() const {
     return after_;
   }  ///< current poses, with those of the ground and spare ones
@@ -108,6 +112,7 @@ class TreeField {
  private:
   void factoriseTree(std::size_t instance);
   void addForces();
+  void addForce(const LinkForce& force);
   void crossTop(const LinkSlots<float>& view, const LinkStep<float>& step);
   vec3 variable(std::size_t link, std::uint32_t first) const;
   float constant(std::size_t link, std::uint32_t field) const;
@@ -123,6 +128,7 @@ class TreeField {
   AlignedVector<LinkState> before_, after_;
   std::vector<LinkInertia> inertia_;
   std::span<const LinkForce> forces_;
+  LinkForce pull_;
   bool forced_ = false;  ///< sums_ holds loads from outside
   std::uint64_t revision_ = 0;
   std::vector<double> frequencies_;  ///< of each tree as it was set, Hz

@@ -16,7 +16,7 @@ namespace windfall::app {
 namespace {
 
 struct SimulateOptions {
-  std::string file, device = "auto", trace;
+  std::string file, device = "auto", method, trace;
   std::vector<float> direction;
   std::optional<float> wind, windUntil, dt;
   float spawnHeight = 0;
@@ -55,6 +55,7 @@ void apply(const SimulateOptions& options, model::Scene& scene) {
     scene.wind.direction = {options.direction[0], options.direction[1], options.direction[2]};
   }
   if (options.dt) scene.solver.step = *options.dt;
+  if (const auto method = sim::treeMethodNamed(options.method)) scene.solver.method = *method;
   scene.leaves.count = options.leaves;
   scene.leaves.spawnHeight = options.spawnHeight;
 }
@@ -204,6 +205,11 @@ void declareSimulate(CLI::App& app, Action& action) {
   command->add_option("--threads", o->threads, "Threads on the CPU; 0: all")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  command
+      ->add_option("--method", o->method,
+                   "How joints are solved (default: the project's): coupled; analytic: each joint exact by itself; "
+                   "forces, literal: the theses' methods, for comparison")
+      ->check(CLI::IsMember({"coupled", "analytic", "forces", "literal"}));
   command->add_option("--trace", o->trace, "Write a row a step to this CSV file");
   command->add_flag("--hash", o->hash, "Print the hash of the final state last");
   command->callback([o, &action] {

@@ -93,7 +93,8 @@ struct LinkSolver::Data {
   std::uint32_t slots = 0, constantFields = 0, stateFields = 0;
   Buffer<float> constants, state, air, sums, outside, moves;
   Buffer<LinkState> before, after;
-  Buffer<vec4> wind;
+  Buffer<vec4> wind, eddies;
+  const vec4* eddySource = nullptr;  ///< on the host; what `eddies` is a copy of
   Buffer<std::uint32_t> link, parent, childBegin, children, partStarts;
 };
 
@@ -119,6 +120,7 @@ LinkSolver::LinkSolver(const Forest& forest, std::size_t constants, std::size_t 
   d.before.allocate(forest.rows, d.outcome);
   d.after.allocate(forest.rows, d.outcome);
   d.wind.allocate(windNodes, d.outcome);
+  d.eddies.allocate(kTileNodes, d.outcome);
   const auto place = [&](Buffer<std::uint32_t>& buffer, const std::vector<std::uint32_t>& values) {
     buffer.allocate(values.size(), d.outcome);
     buffer.write(values, d.outcome);
@@ -176,6 +178,12 @@ bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, s
   slots.stateFields = d.stateFields;
   WindView local = wind;
   local.velocity = d.wind.data();
+  // The tile is the same for a whole run of the scene, but for another seed.
+  if (wind.eddies != d.eddySource) {
+    if (wind.eddies != nullptr) d.eddies.write({wind.eddies, kTileNodes}, d.outcome);
+    d.eddySource = wind.eddies;
+  }
+  local.eddies = wind.eddies == nullptr ? nullptr : d.eddies.data();
   const ForestView forest{{d.childBegin.data(), d.children.data()}, d.partStarts.data()};
   airKernel<<<(d.slots + kAirThreads - 1) / kAirThreads, kAirThreads>>>(slots, local, d.air.data(), d.slots);
   switch (d.method) {

@@ -200,6 +200,12 @@ template <class Io>
 void fields(Io& io, typename Io::template Ref<sim::SolverSettings> solver) {
   io.number("step", solver.step, 1e-5, 1);
   io.number("structuralDamping", solver.structuralDamping, 0, 100);
+  auto method = static_cast<std::int32_t>(solver.method);
+  io.number("method", method, 0, 3);
+  io.flag("axisMotion", solver.axisMotion);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(solver)>>) {
+    solver.method = static_cast<sim::TreeMethod>(method);
+  }
 }
 
 template <class Io>

@@ -35,6 +35,7 @@ SceneInspector::SceneInspector(model::Document& document, SceneSelection& select
   addLeaves();
   addTrees();
   addLight();
+  addSolver();
   addDevice();
   connect(&selection_, &SceneSelection::changed, this, &SceneInspector::showTrees);
   connect(&controller_, &SimulationController::reported, this, &SceneInspector::showDevice);
@@ -206,6 +207,7 @@ void SceneInspector::follow(const model::Change& change) {
     case model::Aspect::Wind:
     case model::Aspect::FallingLeaves:
     case model::Aspect::Light:
+    case model::Aspect::Solver:
       for (const auto& show : shows_) show(document_.project().scene);
       if (change.aspect == model::Aspect::Everything) showTrees();
       break;

@@ -49,6 +49,7 @@ class SceneInspector : public FieldPanel {
   void addWind();
   void addLeaves();
   void addLight();
+  void addSolver();
   void addTrees();
   void addDevice();
   void editTrees(const std::function<void(model::TreePlacement&)>& edit, const QString& text, const QString& merge);

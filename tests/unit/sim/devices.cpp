@@ -85,7 +85,7 @@ void sweep(TreeField& field, const LinkSlots<float>& slots, const LinkChildren& 
 void stepSlotBySlot(TreeField& field, const WindView& wind) {
   const std::span<const float> given = field.outside();
   const std::vector<float> outside(given.begin(), given.end());
-  AlignedVector<float> state(field.state().begin(), field.state().end()), air(field.slots().link.size() * 3);
+  AlignedVector<float> state(field.slotState().begin(), field.slotState().end()), air(field.slots().link.size() * 3);
   AlignedVector<LinkState> now(field.rows().begin(), field.rows().end());
   AlignedVector<float> sums(std::size_t{field.slots().rows} * field.sumRow()), moves(field.slots().rows * kMoveRow);
   const Gathering gathering = gatheringOf(field.slots(), field.parents());
@@ -179,7 +179,7 @@ TEST_CASE("every instruction set gives the same bits") {
       // All parts but the top, whose links stay behind: what matters is that all do the same.
       for (const Part& part : field.slots().parts) passes.up(view, field.stepParameters(), part.begin, part.end);
       for (const Part& part : field.slots().parts) passes.down(view, field.stepParameters(), part.begin, part.end);
-      const std::vector<float> state(field.state().begin(), field.state().end());
+      const std::vector<float> state = field.state();
       if (first.empty()) first = state;
       CHECK(std::memcmp(first.data(), state.data(), state.size() * sizeof(float)) == 0);
     }
