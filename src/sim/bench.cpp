@@ -37,15 +37,18 @@ BenchmarkResult runBenchmark(const Benchmark& benchmark, int rounds) {
   for (const Contender& contender : contenders) contender.run();
   for (int round = 0; round < result.rounds; ++round) {
     for (std::size_t c = 0; c < contenders.size(); ++c) {
-      const auto start = std::chrono::steady_clock::now();
-      contenders[c].run();
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-      times[c].push_back(taken.count() * benchmark.unitsPerSecond / contenders[c].items);
+      for (int repeat = 0; repeat < contenders[c].repeats; ++repeat) {
+        const auto start = std::chrono::steady_clock::now();
+        contenders[c].run();
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        times[c].push_back(taken.count() * benchmark.unitsPerSecond / contenders[c].items);
+      }
     }
   }
   for (std::size_t c = 0; c < contenders.size(); ++c) {
     std::sort(times[c].begin(), times[c].end());
-    result.contenders.push_back({contenders[c].name, times[c].front(), times[c][times[c].size() / 2]});
+    result.contenders.push_back(
+        {contenders[c].name, times[c].front(), times[c][times[c].size() / 2], contenders[c].note});
   }
   return result;
 }
@@ -58,7 +61,8 @@ std::string benchmarkTable(const BenchmarkResult& result) {
   for (const ContenderResult& row : result.contenders) {
     const double times = row.least / result.contenders.front().least;
     table += "  " + padded(row.name, width) + number("  least %9.3g", row.least) +
-             number("  median %9.3g", row.median) + number("  %6.2fx", times) + "\n";
+             number("  median %9.3g", row.median) + number("  %6.2fx", times) +
+             (row.note.empty() ? "" : "  " + row.note) + "\n";
   }
   return table;
 }
@@ -73,7 +77,8 @@ std::string benchmarkJson(const std::vector<BenchmarkResult>& results) {
     for (std::size_t c = 0; c < result.contenders.size(); ++c) {
       const ContenderResult& row = result.contenders[c];
       json += std::string(c ? "," : "") + "\n      {\"name\": " + quoted(row.name) +
-              ", \"least\": " + number("%.6g", row.least) + ", \"median\": " + number("%.6g", row.median) + "}";
+              ", \"least\": " + number("%.6g", row.least) + ", \"median\": " + number("%.6g", row.median) +
+              (row.note.empty() ? "" : ", \"note\": " + quoted(row.note)) + "}";
     }
     json += "\n    ]}";
   }

@@ -13,6 +13,8 @@ struct Contender {
   std::string name;           ///< "coupled, 2 threads"
   std::function<void()> run;  ///< does the job once
   double items = 1;           ///< what one run does: links times steps, leaves, textures
+  int repeats = 1;            ///< runs a round, each timed by itself: short ones slip between a busy machine's others
+  std::string note;           ///< what else is worth saying: "522 bytes a link"
 };
 
 /// A job and those who do it; the first contender is ours, the others are what it is measured against.
@@ -27,6 +29,7 @@ struct Benchmark {
 struct ContenderResult {
   std::string name;
   double least = 0, median = 0;  ///< in the benchmark's unit
+  std::string note;
 };
 
 struct BenchmarkResult {

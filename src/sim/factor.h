@@ -17,6 +17,7 @@ struct FactorSettings {
   double h = 1.0 / 60;              ///< s
   double implicitness = 0.6;        ///< theta of 6.1
   double dampingRatio = 0.03;       ///< structural: of the first mode (coupled), of each joint (analytic)
+  double frequency = 0;             ///< above 0: taken for every tree's first in the place of its own, Hz
   bool compensate = true;           ///< numerical damping is taken off the structural one
   glm::dvec3 gravity{0, -9.81, 0};  ///< m/s2
   double windSpeed = 0;             ///< mean at 10 m, m/s, for the drag's slope

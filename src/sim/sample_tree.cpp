@@ -106,6 +106,33 @@ SampleTreeSettings tenThousandLinks() {
   return settings;
 }
 
+SampleTreeSettings broadleafOf(std::size_t links) {
+  SampleTreeSettings settings;
+  settings.sitesPerLink = 0;
+  if (links <= 1'000) {
+    settings.children = {10, 6, 4};
+  } else if (links <= 10'000) {
+    settings.children = {24, 14, 8};
+  } else {
+    settings.segments = {20, 12, 8, 4};
+    settings.children = links <= 100'000 ? std::array{55, 30, 13} : std::array{184, 76, 16};
+  }
+  return settings;
+}
+
+SampleTreeSettings coniferOf(std::size_t links) {
+  SampleTreeSettings settings;
+  settings.sitesPerLink = 0;
+  settings.orders = 3;
+  settings.segments = {300, 10, 3, 1};
+  if (links <= 10'000) {
+    settings.children = {300, 7, 0};
+  } else {
+    settings.children = links <= 100'000 ? std::array{1500, 19, 0} : std::array{6000, 52, 0};
+  }
+  return settings;
+}
+
 Tree cantilever(int links, float length, float radius, bool standing) {
   Tree tree;
   tree.name = "cantilever";

@@ -26,6 +26,11 @@ Tree sampleTree(const SampleTreeSettings& settings = {});
 /// The sample tree of about 10,000 links.
 SampleTreeSettings tenThousandLinks();
 
+/// Broadleaves of about 1,000, 10,000, 100,000 and 1,000,000 links, for benchmarks; and conifers whose trunk alone is
+/// 300 links deep.
+SampleTreeSettings broadleafOf(std::size_t links);
+SampleTreeSettings coniferOf(std::size_t links);
+
 /// A straight uniform cantilever along +x (lying) or +y (standing), without leaves.
 Tree cantilever(int links, float length, float radius, bool standing = true);
 

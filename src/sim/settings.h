@@ -2,13 +2,10 @@
 #pragma once
 
 #include <cstdint>
-<<<<<<< HEAD
-#include <string>
-#include <vector>
-=======
 #include <optional>
+#include <string>
 #include <string_view>
->>>>>>> d8402cb (Trees: the method is a choice of the scene and the command line; motion is kept across devices)
+#include <vector>
 
 #include "kernels/math.h"
 

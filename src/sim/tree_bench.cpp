@@ -2,11 +2,13 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 
-#include "kernels/link_pose.h"
 #include "sim/articulated.h"
+#include "sim/engine.h"
 #include "sim/sample_tree.h"
 #include "sim/tree_field.h"
 #include "sim/wind.h"
@@ -15,25 +17,52 @@ namespace windfall::sim {
 
 namespace {
 
-constexpr int kSteps = 10;
+constexpr double kFrequency = 0.5;  // Hz: the search for it would take longer than the benchmark of a million links
 
 struct Scene {
-  std::shared_ptr<const Tree> tree = std::make_shared<Tree>(sampleTree(tenThousandLinks()));
+  std::shared_ptr<const Tree> tree;
   WindField wind{vec3(-8, 0, -8), vec3(8, 12, 8), WindSettings{.speed = 8}, 1};
-  Scene() { wind.advance(0); }
+  int repeats = 1;
+  explicit Scene(const SampleTreeSettings& settings) : tree(std::make_shared<Tree>(sampleTree(settings))) {
+    wind.advance(0);
+    repeats = static_cast<int>(std::clamp<std::size_t>(400'000 / tree->links.size(), 1, 60));
+  }
 };
 
-Contender coupled(std::shared_ptr<Scene> scene, int threads) {
+std::shared_ptr<TreeField> fieldOf(const Scene& scene, TreeMethod method, int threads) {
   FactorSettings settings;
+  settings.method = method;
   settings.windSpeed = 8;
-  auto field = std::make_shared<TreeField>(std::vector<TreeInstance>{{scene->tree, {}}}, settings, threads);
+  settings.frequency = kFrequency;
+  return std::make_shared<TreeField>(std::vector<TreeInstance>{{scene.tree, {}}}, settings, threads);
+}
+
+std::string threadsOf(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
+
+/// A step in air that has been sampled before.
+Contender solve(std::shared_ptr<Scene> scene, TreeMethod method, int threads) {
+  const std::shared_ptr<TreeField> field = fieldOf(*scene, method, threads);
   Contender contender;
-  contender.name = "coupled, prefactored, " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
-  contender.items = static_cast<double>(field->size()) * kSteps;
-  contender.run = [scene, field] {
-    field->sampleAir(scene->wind.view());
-    for (int i = 0; i < kSteps; ++i) field->solve();
-  };
+  contender.name = std::string(nameOf(method)) + ", solve and poses, " + threadsOf(threads);
+  contender.items = static_cast<double>(field->size());
+  contender.repeats = scene->repeats;
+  const double bytes = static_cast<double>(field->bytes());
+  char note[96];
+  std::snprintf(note, sizeof note, "%.0f bytes a link, %.1f MB", bytes / contender.items, bytes / 1e6);
+  contender.note = note;
+  field->sampleAir(scene->wind.view());
+  contender.run = [scene, field] { field->solve(); };
+  return contender;
+}
+
+/// The air at every link, which a step needs besides.
+Contender air(std::shared_ptr<Scene> scene) {
+  const std::shared_ptr<TreeField> field = fieldOf(*scene, TreeMethod::Analytic, 1);
+  Contender contender;
+  contender.name = "the wind at every link, 1 thread";
+  contender.items = static_cast<double>(field->size());
+  contender.repeats = scene->repeats;
+  contender.run = [scene, field] { field->sampleAir(scene->wind.view()); };
   return contender;
 }
 
@@ -41,44 +70,54 @@ Contender coupled(std::shared_ptr<Scene> scene, int threads) {
 Contender articulated(std::shared_ptr<Scene> scene) {
   using Reference = ArticulatedTree<float>;
   const std::vector<LinkBody> bodies = bodiesOf(*scene->tree);
-  const double beta = 2 * 0.03 / (2 * std::numbers::pi * firstFrequency(bodies));
+  const double beta = 2 * 0.03 / (2 * std::numbers::pi * kFrequency);
   auto tree = std::make_shared<Reference>(bodies, static_cast<float>(beta));
-  auto drag = std::make_shared<std::vector<LinkShape>>(bodies.size());
   const std::vector<Composite> composites = compositesOf(bodies);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    (*drag)[i].woodDrag = static_cast<float>(bodies[i].woodDrag);
-    (*drag)[i].leafDrag = static_cast<float>(bodies[i].leafDrag);
-    tree->parts()[i].rotor.z = static_cast<float>(twistFloor(bodies[i], composites[i]));
-    const glm::dvec3 weight(0, -9.81 * composites[i].mass, 0);
-    const glm::dvec3 torque = glm::cross(composites[i].moment, glm::dvec3(0, -9.81, 0));
-    tree->parts()[i].preStress = vec3(glm::transpose(bodies[i].axes) * torque);
+    Reference::Part& part = tree->parts()[i];
+    part.rotor.z = static_cast<float>(twistFloor(bodies[i], composites[i]));
+    const glm::dvec3 weight(0, -9.81, 0);
+    part.preStress = vec3(glm::transpose(bodies[i].axes) * glm::cross(composites[i].moment, weight));
+    part.force = vec3(0, -9.81f * part.mass, 0);
   }
   Contender contender;
-  contender.name = "articulated bodies each step, 1 thread";
-  contender.items = static_cast<double>(bodies.size()) * kSteps;
-  contender.run = [scene, tree, drag] {
-    const WindView wind = scene->wind.view();
-    for (int i = 0; i < kSteps; ++i) {
-      for (std::size_t k = 0; k < tree->parts().size(); ++k) {
-        Reference::Part& part = tree->parts()[k];
-        const vec3 along = part.rotation * vec3(0, 0, 1);
-        const vec3 u = windAt(wind, part.position + along * part.half);
-        const V3<float> f =
-            dragOf<float>((*drag)[k].woodDrag, (*drag)[k].leafDrag, {along.x, along.y, along.z}, {u.x, u.y, u.z});
-        part.force = vec3(f.x, f.y - 9.81f * part.mass, f.z);
-      }
-      tree->stepImplicit(1.f / 60);
-    }
-  };
+  contender.name = "articulated bodies anew each step, 1 thread";
+  contender.items = static_cast<double>(bodies.size());
+  contender.repeats = scene->repeats;
+  contender.run = [tree] { tree->stepImplicit(1.f / 60); };
   return contender;
 }
 
-std::vector<Contender> stepContenders() {
-  auto scene = std::make_shared<Scene>();
-  std::vector<Contender> all{coupled(scene, 1)};
-  if (const int threads = omp_get_max_threads(); threads > 1) all.push_back(coupled(scene, threads));
-  all.push_back(articulated(scene));
+std::vector<Contender> stepContenders(const SampleTreeSettings& settings, bool peer) {
+  auto scene = std::make_shared<Scene>(settings);
+  std::vector<Contender> all{solve(scene, TreeMethod::Coupled, 1), solve(scene, TreeMethod::Analytic, 1)};
+  if (const int threads = omp_get_max_threads(); threads > 1) {
+    all.push_back(solve(scene, TreeMethod::Coupled, threads));
+    all.push_back(solve(scene, TreeMethod::Analytic, threads));
+  }
+  all.push_back(air(scene));
+  if (peer) all.push_back(articulated(scene));
   return all;
+}
+
+/// What the live window waits for at 10,000 links: the engine's own timers, through whole steps.
+std::vector<Contender> liveContenders() {
+  SceneDescription scene;
+  SampleTreeSettings settings = tenThousandLinks();
+  settings.sitesPerLink = 0;
+  scene.trees.push_back({std::make_shared<Tree>(sampleTree(settings)), {}});
+  scene.leaves.count = 0;
+  scene.wind.speed = 8;
+  Result<std::unique_ptr<Engine>> created = Engine::create(scene, Device::Cpu, 1);
+  const std::shared_ptr<Engine> engine = std::move(*created);
+  auto bones = std::make_shared<std::vector<mat4>>(engine->linkCount());
+  Contender whole{"wind, solve and poses, 1 thread", nullptr, 1};
+  whole.repeats = 200;
+  whole.run = [engine] { engine->step(); };
+  Contender shown{"bone matrices for the display, 1 thread", nullptr, 1};
+  shown.repeats = 200;
+  shown.run = [engine, bones] { engine->write(*bones, {}); };
+  return {whole, shown};
 }
 
 std::vector<Contender> windContenders() {
@@ -117,19 +156,34 @@ std::vector<Contender> windContenders() {
 }
 
 std::vector<Contender> factorContenders() {
-  auto scene = std::make_shared<Scene>();
-  auto field = std::make_shared<TreeField>(std::vector<TreeInstance>{{scene->tree, {}}}, FactorSettings{}, 1);
-  Contender contender{"factorisation", nullptr, static_cast<double>(field->size())};
-  contender.run = [field] { field->factorise(field->settings()); };
-  return {contender};
+  const Scene scene(tenThousandLinks());
+  std::vector<Contender> all;
+  for (const TreeMethod method : {TreeMethod::Coupled, TreeMethod::Analytic}) {
+    const std::shared_ptr<TreeField> field = fieldOf(scene, method, 1);
+    Contender contender{nameOf(method), nullptr, static_cast<double>(field->size())};
+    contender.run = [field] { field->factorise(field->settings()); };
+    all.push_back(std::move(contender));
+  }
+  return all;
 }
 
 }  // namespace
 
 std::vector<Benchmark> treeBenchmarks() {
-  return {{"trees", "a step of a broadleaf of 9,562 links in gusty wind", "ns per link and step", 1e9, stepContenders},
+  const auto step = [](const char* name, const char* what, const SampleTreeSettings& settings, bool peer) {
+    return Benchmark{name, what, "ns per link and step", 1e9, [=] { return stepContenders(settings, peer); }};
+  };
+  return {step("tree-1k", "a step of a broadleaf of 1,174 links", broadleafOf(1'000), true),
+          step("tree-10k", "a step of a broadleaf of 9,562 links", broadleafOf(10'000), true),
+          step("tree-100k", "a step of a broadleaf of 99,680 links", broadleafOf(100'000), false),
+          step("tree-1m", "a step of a broadleaf of 1,009,076 links", broadleafOf(1'000'000), false),
+          step("tree-conifer-10k", "a step of a conifer of 9,600 links, 313 deep", coniferOf(10'000), false),
+          step("tree-conifer-100k", "a step of a conifer of 100,800 links, 313 deep", coniferOf(100'000), false),
+          step("tree-conifer-1m", "a step of a conifer of 996,300 links, 313 deep", coniferOf(1'000'000), false),
+          {"tree-live", "a step of the live window with 9,562 links", "ms per step", 1e3, liveContenders},
           {"wind", "the wind around a tree, brought to the next step", "ns per place and step", 1e9, windContenders},
-          {"factor", "new stiffness or wind level of the same tree", "ns per link", 1e9, factorContenders}};
+          {"tree-factor", "new stiffness or wind level of a broadleaf of 9,562 links", "ns per link", 1e9,
+           factorContenders}};
 }
 
 }  // namespace windfall::sim

@@ -84,7 +84,9 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
     fieldsOf(state_.data(), stateFields_, slot).put(kTurn + 3, 1);
   }
   lostArea_.resize(size());
-  for (const TreeInstance& instance : trees_) frequencies_.push_back(firstFrequency(*instance.tree));
+  for (const TreeInstance& instance : trees_) {
+    frequencies_.push_back(settings.frequency > 0 ? settings.frequency : firstFrequency(*instance.tree));
+  }
   factorise(settings);
   reset();
 }
@@ -117,7 +119,7 @@ void TreeField::setLostArea(std::span<const float> area) {
 
 void TreeField::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) {
   trees_[instance].tree = std::move(tree);
-  frequencies_[instance] = firstFrequency(*trees_[instance].tree);
+  frequencies_[instance] = settings_.frequency > 0 ? settings_.frequency : firstFrequency(*trees_[instance].tree);
   factoriseTree(instance);
 }
 

@@ -15,8 +15,8 @@ namespace windfall::sim {
 /// A force from outside on a link, in addition to wind and weight.
 struct LinkForce {
   std::uint32_t link = 0xffffffffu;  ///< index over the whole field; none
-  vec3 force{0};           ///< world, N
-  vec3 arm{0};             ///< where it pulls, from the joint, world axes, m
+  vec3 force{0};                     ///< world, N
+  vec3 arm{0};                       ///< where it pulls, from the joint, world axes, m
 };
 
 /// A link's constants as the solvers see them.

@@ -13,8 +13,6 @@ using namespace windfall::sim;
 
 namespace {
 
-constexpr int kSteps = 10;
-
 btVector3 vector(const glm::dvec3& v) {
   return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
 }
@@ -24,14 +22,18 @@ btQuaternion turn(const glm::dquat& q) {
           static_cast<btScalar>(q.w)};
 }
 
+constexpr btScalar kBeta = btScalar(0.02);  // s, damping over stiffness
+
 struct BulletTree {
-  std::vector<LinkBody> bodies = bodiesOf(sampleTree(tenThousandLinks()));
+  std::vector<LinkBody> bodies;
+  std::vector<btVector3> preStress;
   btMultiBody body{static_cast<int>(bodies.size()), 1, btVector3(1, 1, 1), true, false};
   btAlignedObjectArray<btScalar> numbers;
   btAlignedObjectArray<btVector3> vectors;
   btAlignedObjectArray<btMatrix3x3> matrices;
 
-  BulletTree() {
+  explicit BulletTree(const SampleTreeSettings& settings) : bodies(bodiesOf(sampleTree(settings))) {
+    const std::vector<Composite> composites = compositesOf(bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const LinkBody& link = bodies[i];
       const bool root = link.parent < 0;
@@ -43,6 +45,10 @@ struct BulletTree {
                           vector(glm::dvec3(link.across, link.across, link.along)), link.parent,
                           turn(relative).inverse(), vector(pivot), vector(glm::dvec3(0, 0, 0.5 * link.length)), true);
     }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const glm::dvec3 torque = glm::cross(composites[i].moment, glm::dvec3(0, -9.81, 0));
+      preStress.push_back(vector(glm::transpose(bodies[i].axes) * torque));
+    }
     body.finalizeMultiDof();
     body.setBasePos(btVector3(0, 0, 0));
   }
@@ -50,7 +56,16 @@ struct BulletTree {
   void step() {
     body.clearForcesAndTorques();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      body.addLinkForce(static_cast<int>(i), btVector3(0, static_cast<btScalar>(-9.81 * bodies[i].mass), 0));
+      const int link = static_cast<int>(i);
+      body.addLinkForce(link, btVector3(0, static_cast<btScalar>(-9.81 * bodies[i].mass), 0));
+      // A spring about the rest pose that carries the weight there, and its damping.
+      const btScalar *q = body.getJointPosMultiDof(link), *w = body.getJointVelMultiDof(link);
+      btScalar torque[3];
+      for (int k = 0; k < 3; ++k) {
+        const auto stiffness = static_cast<btScalar>(bodies[i].stiffness[k]);
+        torque[k] = -preStress[i][k] - stiffness * (2 * (q[3] < 0 ? -q[k] : q[k]) + kBeta * w[k]);
+      }
+      body.addJointTorqueMultiDof(link, torque);
     }
     const btScalar h = btScalar(1) / 60;
     body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(h, numbers, vectors, matrices, false, false, false);
@@ -68,21 +83,22 @@ struct BulletTree {
 
 }  // namespace
 
-std::vector<Contender> bulletContenders() {
-  auto tree = std::make_shared<BulletTree>();
+std::vector<Contender> bulletContenders(const SampleTreeSettings& settings) {
+  auto tree = std::make_shared<BulletTree>(settings);
   Contender contender;
-  contender.name = "Bullet btMultiBody, without springs and wind, 1 thread";
-  contender.items = static_cast<double>(tree->bodies.size()) * kSteps;
-  // Ten steps from rest each time: what falls freely for longer flies apart.
+  contender.name = "Bullet btMultiBody, spherical joints with springs, 1 thread";
+  contender.items = static_cast<double>(tree->bodies.size());
+  contender.repeats = tree->bodies.size() > 5000 ? 10 : 60;
+  // From rest each time: its explicit springs do not bear a sixtieth of a second for long.
   contender.run = [tree] {
     tree->rest();
-    for (int i = 0; i < kSteps; ++i) tree->step();
+    tree->step();
   };
   return {contender};
 }
 
 #else
 
-std::vector<windfall::sim::Contender> bulletContenders() { return {}; }
+std::vector<windfall::sim::Contender> bulletContenders(const windfall::sim::SampleTreeSettings&) { return {}; }
 
 #endif

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "peers.h"
 #include "sim/bench.h"
@@ -27,10 +28,12 @@ int main(int count, char** arguments) {
   std::vector<windfall::sim::BenchmarkResult> results;
   for (windfall::sim::Benchmark& benchmark : windfall::sim::simBenchmarks()) {
     if (benchmark.name.find(filter) == std::string::npos) continue;
-    if (benchmark.name == "trees") {
-      benchmark.prepare = [ours = benchmark.prepare] {
+    for (const auto& [name, links] : {std::pair{"tree-1k", 1'000}, std::pair{"tree-10k", 10'000}}) {
+      if (benchmark.name != name) continue;
+      benchmark.prepare = [ours = benchmark.prepare, links = links] {
         std::vector<windfall::sim::Contender> all = ours();
-        for (windfall::sim::Contender& peer : bulletContenders()) all.push_back(std::move(peer));
+        const auto tree = windfall::sim::broadleafOf(static_cast<std::size_t>(links));
+        for (windfall::sim::Contender& peer : bulletContenders(tree)) all.push_back(std::move(peer));
         return all;
       };
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/bench.h"
+#include "sim/sample_tree.h"
 
-/// Bullet's articulated bodies on the tree of the "trees" benchmark; empty where Bullet was not found.
-std::vector<windfall::sim::Contender> bulletContenders();
+/// Bullet's articulated bodies on a tree; empty where Bullet was not found.
+std::vector<windfall::sim::Contender> bulletContenders(const windfall::sim::SampleTreeSettings& settings);

@@ -1,5 +1,12 @@
+#include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
 #include <QSaveFile>
+#include <QTemporaryDir>
 #include <cstdio>
 
 #include "app/cli/commands.h"
@@ -26,9 +33,51 @@ std::string withQuality(std::string json, const std::vector<model::QualityRow>& 
   return json + "\n  ]\n}\n";
 }
 
+/// The program of the simulation's benchmarks, which knows other people's programs to compare with; empty where it does
+/// not stand beside this one.
+QString companion() {
+  const QString path = QCoreApplication::applicationDirPath() + QStringLiteral("/windfall-bench");
+  return QFileInfo(path).isExecutable() ? path : QString();
+}
+
+/// Lets the companion run and print; its results are taken from the file that it writes.
+bool runCompanion(const QString& program, const BenchOptions& options, std::vector<sim::BenchmarkResult>& results) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("results.json"));
+  QProcess process;
+  process.setProcessChannelMode(QProcess::ForwardedChannels);
+  process.start(program, {QStringLiteral("--filter"), text(options.filter), QStringLiteral("--rounds"),
+                          QString::number(options.rounds), QStringLiteral("--json"), file});
+  if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit || process.exitCode() != 0)
+    return false;
+  QFile written(file);
+  if (!written.open(QIODevice::ReadOnly)) return false;
+  const auto string = [](const QJsonObject& object, const char* key) {
+    return object[QLatin1String(key)].toString().toStdString();
+  };
+  for (const QJsonValue& value : QJsonDocument::fromJson(written.readAll())[QLatin1String("benchmarks")].toArray()) {
+    const QJsonObject one = value.toObject();
+    sim::BenchmarkResult result{
+        string(one, "name"), string(one, "what"), string(one, "unit"), one[QLatin1String("rounds")].toInt(), {}};
+    for (const QJsonValue& row : one[QLatin1String("contenders")].toArray()) {
+      const QJsonObject r = row.toObject();
+      result.contenders.push_back({string(r, "name"), r[QLatin1String("least")].toDouble(),
+                                   r[QLatin1String("median")].toDouble(), string(r, "note")});
+    }
+    results.push_back(std::move(result));
+  }
+  return true;
+}
+
 int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
-  std::vector<sim::Benchmark> benchmarks = sim::simBenchmarks();
+  std::vector<sim::Benchmark> benchmarks;
+  const QString program = companion();
+  if (program.isEmpty()) {
+    benchmarks = sim::simBenchmarks();
+  } else if (!runCompanion(program, options, results)) {
+    return fail(program, QStringLiteral("did not end well"));
+  }
   for (sim::Benchmark& benchmark : model::textureBenchmarks()) benchmarks.push_back(std::move(benchmark));
   for (const sim::Benchmark& benchmark : benchmarks) {
     if (benchmark.name.find(options.filter) == std::string::npos) continue;
