@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "app/cli/plant_bench.h"
 #include "app/cli/interrupt.h"
 #include "model/leaf/quality_bench.h"
 #include "model/leaf/texture_bench.h"
@@ -30,6 +31,7 @@ int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
   std::vector<sim::Benchmark> benchmarks = sim::simBenchmarks();
   for (sim::Benchmark& benchmark : model::textureBenchmarks()) benchmarks.push_back(std::move(benchmark));
+  for (sim::Benchmark& benchmark : plantBenchmarks()) benchmarks.push_back(std::move(benchmark));
   for (const sim::Benchmark& benchmark : benchmarks) {
     if (benchmark.name.find(options.filter) == std::string::npos) continue;
     results.push_back(sim::runBenchmark(benchmark, options.rounds));

@@ -1,5 +1,7 @@
 #include "model/plant/grow/plant_presets.h"
 
+#include <algorithm>
+
 namespace windfall::model {
 
 std::vector<Preset> plantPresets(const PresetLibrary& library) {
@@ -12,8 +14,11 @@ std::vector<Preset> plantPresets(const PresetLibrary& library) {
 
 Result<Plant> plantOfPreset(const PresetLibrary& library, const QString& name, quint64 seed) {
   QStringList names;
-  for (const Preset& preset : library.of(QStringLiteral("grower"))) {
-    names << preset.name;
+  std::vector<Preset> all = library.of(QStringLiteral("grower"));
+  // The artist's own stand last and go before built-in ones of the same name.
+  std::reverse(all.begin(), all.end());
+  for (const Preset& preset : all) {
+    names.prepend(preset.name);
     if (preset.name.compare(name, Qt::CaseInsensitive) != 0) continue;
     Plant plant;
     plant.name = preset.name;
