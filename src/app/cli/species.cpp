@@ -41,6 +41,8 @@ model::Project sceneOf(model::Plant plant, bool bare) {
   project.scene.trees.push_back(tree);
   project.scene.wind.speed = 0;
   project.scene.leaves.season = 0;
+  project.scene.leaves.spawnHeight = 0;
+  project.scene.leaves.count = bare ? 0 : 400'000;
   project.scene.light = {215, 38, 1};
   return project;
 }
@@ -56,7 +58,7 @@ model::Camera cameraAt(const widgets::Box& box, bool near, QSize size) {
   const double middle = 0.5 * static_cast<double>(box.upper.y + std::max(box.lower.y, 0.0f));
   if (!near) {
     camera.elevation = 2;
-    camera.distance = 0.55 * std::max(height, across / aspect) / half + 0.3 * across;
+    camera.distance = 0.53 * std::max(height, across / aspect) / half + 0.25 * across;
     camera.target = {0.5f * (box.lower.x + box.upper.x), static_cast<float>(middle), 0.5f * (box.lower.z + box.upper.z)};
     return camera;
   }
