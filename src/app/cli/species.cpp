@@ -5,6 +5,7 @@
 #include <QSaveFile>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -42,31 +43,49 @@ model::Project sceneOf(model::Plant plant, bool bare) {
   project.scene.wind.speed = 0;
   project.scene.leaves.season = 0;
   project.scene.leaves.spawnHeight = 0;
-  project.scene.leaves.count = bare ? 0 : 400'000;
   project.scene.light = {215, 38, 1};
   return project;
 }
 
-/// The whole plant, and a piece of its crown or bole from near by.
-model::Camera cameraAt(const widgets::Box& box, bool near, QSize size) {
+/// Where a plant is looked at: the whole of it, and from near by where its leaves begin, so that bark and leaves show.
+struct Sight {
+  widgets::Box box;
+  double leavesFrom = 0;  ///< m above the ground
+};
+
+Sight sightOf(const model::SceneAssembly& assembly, const widgets::Box& box) {
+  Sight sight{box, 0.25 * static_cast<double>(box.upper.y)};
+  std::vector<float> heights;
+  const sim::Tree& tree = *assembly.sim.trees.front().tree;
+  for (const sim::LeafSite& site : tree.sites) {
+    const sim::Link& link = tree.links[static_cast<std::size_t>(site.link)];
+    heights.push_back((link.joint + link.rotation * site.position).y);
+  }
+  if (heights.size() < 4) return sight;
+  const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 12);
+  std::nth_element(heights.begin(), low, heights.end());
+  sight.leavesFrom = static_cast<double>(*low);
+  return sight;
+}
+
+model::Camera cameraAt(const Sight& sight, bool near, QSize size) {
+  const widgets::Box& box = sight.box;
   const vec3 extent = box.upper - box.lower;
-  const auto height = static_cast<double>(extent.y), across = static_cast<double>(std::max(extent.x, extent.z));
+  const auto height = static_cast<double>(box.upper.y), across = static_cast<double>(std::max(extent.x, extent.z));
   model::Camera camera;
   camera.fieldOfView = 30;
   camera.azimuth = 12;
   const double half = std::tan(15 * 3.14159265 / 180), aspect = static_cast<double>(size.width()) / size.height();
-  const double middle = 0.5 * static_cast<double>(box.upper.y + std::max(box.lower.y, 0.0f));
   if (!near) {
     camera.elevation = 2;
-    camera.distance = 0.53 * std::max(height, across / aspect) / half + 0.25 * across;
-    camera.target = {0.5f * (box.lower.x + box.upper.x), static_cast<float>(middle), 0.5f * (box.lower.z + box.upper.z)};
+    camera.distance = 0.54 * std::max(height, across / aspect) / half + 0.2 * across;
+    camera.target = {0.5f * (box.lower.x + box.upper.x), static_cast<float>(0.47 * height), 0.5f * (box.lower.z + box.upper.z)};
     return camera;
   }
-  // Near: bole and lower crown of a tree, so that bark and leaves both show.
-  const double reach = std::clamp(0.24 * height, 0.25, 3.4);
-  camera.elevation = 4;
-  camera.distance = std::max(reach / half * 0.55, 0.3);
-  camera.target = {0, static_cast<float>(height > 4 ? std::min(0.20 * height + 0.6, 4.6) : 0.6 * height), 0};
+  const double reach = height > 4 ? std::clamp(0.15 * height, 1.2, 2.4) : 0.6 * height;
+  camera.elevation = height > 4 ? 3 : 8;
+  camera.distance = reach / half + 0.25 * std::min(across, 4.0);
+  camera.target = {0, static_cast<float>(height > 4 ? std::max(sight.leavesFrom, 1.2) : 0.55 * height), 0};
   return camera;
 }
 
@@ -84,10 +103,11 @@ class Studio {
     return studio;
   }
 
-  /// Whole and near.
-  Result<std::vector<QImage>> shoot(const model::Project& project, model::Progress& progress) {
+  /// Whole and near; `sight` is where the first of a plant's pictures looked.
+  Result<std::vector<QImage>> shoot(const model::Project& project, std::optional<Sight>& sight, model::Progress& progress) {
     Result<model::SceneAssembly> assembly = model::assembleScene(project, progress);
     if (!assembly) return assembly.error();
+    assembly->sim.leaves.count = static_cast<decltype(assembly->sim.leaves.count)>(assembly->sim.trees.front().tree->sites.size());
     Result<std::unique_ptr<sim::Engine>> engine = sim::Engine::create(assembly->sim, sim::Device::Cpu);
     if (!engine) return engine.error();
     if (const Status set = renderer_->setContent(widgets::makeContent(*assembly, project.scene, (*engine)->leafCount())); !set) {
@@ -95,9 +115,10 @@ class Studio {
     }
     const std::optional<widgets::Box> box = widgets::sceneBox(*assembly, project.scene);
     if (!box) return Error{"has no mesh"};
+    if (!sight) sight = sightOf(*assembly, *box);
     std::vector<QImage> pictures;
     for (const bool near : {false, true}) {
-      render::View view = widgets::sceneView(cameraAt(*box, near, size_), project.scene);
+      render::View view = widgets::sceneView(cameraAt(*sight, near, size_), project.scene);
       view.width = size_.width(), view.height = size_.height();
       view.quality = render::Quality::High;
       const render::FrameSlot slot = renderer_->acquire();
@@ -149,8 +170,9 @@ int drawSpecies(const SpeciesOptions& options) {
     painter.setPen(QColor(222, 226, 216));
     painter.drawText(QRect(corner + QPoint(kGap + 2, 0), QSize(block.width(), kLabel)), Qt::AlignVCenter, plant->name);
     std::vector<QImage> pictures;
+    std::optional<Sight> sight;
     for (const bool bare : {false, true}) {
-      Result<std::vector<QImage>> shots = (*studio)->shoot(sceneOf(*plant, bare), progress);
+      Result<std::vector<QImage>> shots = (*studio)->shoot(sceneOf(*plant, bare), sight, progress);
       if (!shots) return fail(plant->name, shots.error());
       pictures.insert(pictures.end(), shots->begin(), shots->end());
     }

@@ -158,7 +158,17 @@ void PlantWorkspace::fillNewMenu(QMenu& menu) {
 void PlantWorkspace::growPreset(const QString& name) {
   Result<model::Plant> plant = model::plantOfPreset(model::PresetLibrary(), name, context_.document.project().plants.size() + 1);
   if (plant) {
+    model::Document& document = context_.document;
+    document.undoStack().beginMacro(tr("Add %1").arg(plant->name));
+    // The first tree of a scene brings leaves enough to be known by them.
+    sim::LeafSettings leaves = document.project().scene.leaves;
+    constexpr std::int32_t kEnough = 60'000;
+    if (document.project().scene.trees.empty() && plant->grower->height > 4 && leaves.count < kEnough) {
+      leaves.count = kEnough;
+      document.setScene(&model::Scene::leaves, leaves, model::Aspect::FallingLeaves, tr("Change the number of leaves"));
+    }
     addPlant(std::move(*plant), false);
+    document.undoStack().endMacro();
   } else {
     emit message(QString::fromStdString(plant.error().message), true);
   }
@@ -203,6 +213,8 @@ std::optional<model::Project> PlantWorkspace::alone() const {
   alone.scene.leaves = project.scene.leaves;
   alone.scene.leaves.season = kCalmSeason;
   alone.scene.leaves.spawnHeight = 0;
+  // A grower's plant is shown in full leaf, whatever the scene can afford.
+  if (plant->file.isEmpty() && plant->grower && plant->grower->method != model::GrowMethod::Rule) alone.scene.leaves.count = -1;
   alone.scene.solver = project.scene.solver;
   alone.scene.light = project.scene.light;
   alone.scene.seed = project.scene.seed;

@@ -98,7 +98,7 @@ vec3 colourAt(BarkLook look, quint64 s, float u, float v) {
     case BarkLook::Willow: return furrowed(s, u, v, 8, 3, {52, 42, 31}, {124, 106, 82}, {150, 133, 106}, 0.38f);
     case BarkLook::Maple: return furrowed(s, u, v, 15, 6, {72, 66, 60}, {122, 115, 106}, {148, 142, 132}, 0.24f);
     case BarkLook::Fir: return smooth(s, u, v, {92, 84, 76}, {128, 121, 112}, {70, 62, 54}, 0.25f);
-    case BarkLook::Pine: return furrowed(s, u, v, 6, 5, {62, 36, 24}, {158, 92, 56}, {190, 122, 80}, 0.30f);
+    case BarkLook::Pine: return furrowed(s, u, v, 6, 5, {50, 36, 28}, {138, 92, 66}, {164, 116, 86}, 0.30f);
     case BarkLook::Bush: return smooth(s, u, v, {86, 62, 48}, {116, 88, 68}, {156, 134, 110}, 0.30f);
     case BarkLook::Herb: return smooth(s, u, v, {84, 118, 52}, {120, 152, 74}, {96, 130, 62}, 0.0f);
     case BarkLook::Dead: return weathered(s, u, v);
@@ -132,7 +132,7 @@ TwigLook twigLook(BarkLook look) {
     case BarkLook::Willow: return {{0.30f, 0.24f, 0.06f, 1}, 0.009f};
     case BarkLook::Maple: return {{0.16f, 0.10f, 0.075f, 1}, 0.008f};
     case BarkLook::Fir: return {{0.12f, 0.085f, 0.055f, 1}, 0.006f};
-    case BarkLook::Pine: return {{0.30f, 0.13f, 0.055f, 1}, 0.016f};
+    case BarkLook::Pine: return {{0.24f, 0.115f, 0.055f, 1}, 0.016f};
     case BarkLook::Bush: return {{0.15f, 0.07f, 0.045f, 1}, 0.005f};
     case BarkLook::Herb: return {{0.13f, 0.22f, 0.06f, 1}, 0.002f};
     case BarkLook::Dead: return {{0.33f, 0.31f, 0.28f, 1}, 0.006f};
