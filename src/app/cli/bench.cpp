@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
-#include "app/cli/plant_bench.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/plant_bench.h"
 #include "model/leaf/quality_bench.h"
 #include "model/leaf/texture_bench.h"
 #include "sim/bench.h"

@@ -53,7 +53,8 @@ double peakMemory() {
 
 std::vector<sim::Contender> growthContenders() {
   std::vector<sim::Contender> contenders;
-  for (const auto& [name, kind] : {std::pair{"space colonization, oak", "Oak"}, {"self-organizing, pine", "Pine"}, {"L-system, fir", "Fir"}}) {
+  for (const auto& [name, kind] :
+       {std::pair{"space colonization, oak", "Oak"}, {"self-organizing, pine", "Pine"}, {"L-system, fir", "Fir"}}) {
     auto plant = std::make_shared<model::Plant>(preset(kind));
     model::Progress progress;
     const Result<model::growth::GrownSkeleton> once = model::growth::growSkeleton(*plant, progress);
@@ -79,7 +80,8 @@ std::vector<sim::Contender> meshContenders() {
   const double organs = static_cast<double>(once.bones.size() + once.leafSites.size());
   char name[80];
   std::snprintf(name, sizeof name, "%.0f organs, %.0f vertices", organs, static_cast<double>(once.vertices.size()));
-  return {{name, [grown, settings = *plant.grower] { const auto geometry = model::growth::dress(*grown, settings); }, organs / kOrgans}};
+  return {{name, [grown, settings = *plant.grower] { const auto geometry = model::growth::dress(*grown, settings); },
+           organs / kOrgans}};
 }
 
 /// What stays between pictures: a program has its context before it opens a file.
@@ -98,7 +100,10 @@ Status firstPicture(Stage& stage) {
   if (!assembly) return assembly.error();
   const Result<std::unique_ptr<sim::Engine>> engine = sim::Engine::create(assembly->sim, sim::Device::Cpu);
   if (!engine) return engine.error();
-  if (const Status set = stage.renderer->setContent(widgets::makeContent(*assembly, project->scene, (*engine)->leafCount())); !set) return set;
+  if (const Status set =
+          stage.renderer->setContent(widgets::makeContent(*assembly, project->scene, (*engine)->leafCount()));
+      !set)
+    return set;
   render::View view = widgets::sceneView(project->view.camera, project->scene);
   view.width = 1280, view.height = 720;
   const render::FrameSlot slot = stage.renderer->acquire();
@@ -143,9 +148,11 @@ std::vector<sim::Contender> pictureContenders() {
 }  // namespace
 
 std::vector<sim::Benchmark> plantBenchmarks() {
-  return {{"plant growth", "Skeletons by the growers, one after the other", "ms per 10,000 links", 1e3, growthContenders},
-          {"plant dressing", "Bark, bones and leaves of a grown tree", "ms per 10,000 organs", 1e3, meshContenders},
-          {"plant first picture", "A tree of 50,000 organs from its project file to its first picture", "ms", 1e3, pictureContenders}};
+  return {
+      {"plant growth", "Skeletons by the growers, one after the other", "ms per 10,000 links", 1e3, growthContenders},
+      {"plant dressing", "Bark, bones and leaves of a grown tree", "ms per 10,000 organs", 1e3, meshContenders},
+      {"plant first picture", "A tree of 50,000 organs from its project file to its first picture", "ms", 1e3,
+       pictureContenders}};
 }
 
 }  // namespace windfall::app

@@ -19,9 +19,10 @@ namespace windfall::app {
 
 namespace {
 
-const std::pair<const char*, model::GrowMethod> kMethods[] = {{"space-colonization", model::GrowMethod::SpaceColonization},
-                                                              {"self-organizing", model::GrowMethod::SelfOrganizing},
-                                                              {"l-system", model::GrowMethod::LSystem}};
+const std::pair<const char*, model::GrowMethod> kMethods[] = {
+    {"space-colonization", model::GrowMethod::SpaceColonization},
+    {"self-organizing", model::GrowMethod::SelfOrganizing},
+    {"l-system", model::GrowMethod::LSystem}};
 /// The preset that shows a method where none is named.
 const char* presetOf(model::GrowMethod method) {
   return method == model::GrowMethod::SelfOrganizing ? "Pine" : method == model::GrowMethod::LSystem ? "Fir" : "Oak";
@@ -69,9 +70,12 @@ std::shared_ptr<GenerateOptions> declareGenerate(CLI::App& command) {
   for (const auto& [name, method] : kMethods) methods.emplace_back(name);
   command.add_option("--generate", options->method, "Grow a plant: space-colonization, self-organizing or l-system")
       ->check(CLI::IsMember(methods));
-  command.add_option("--preset", options->preset, "Kind of plant: oak, birch, aspen, willow, maple, fir, pine, bush, herb, \"dead tree\"");
+  command.add_option("--preset", options->preset,
+                     "Kind of plant: oak, birch, aspen, willow, maple, fir, pine, bush, herb, \"dead tree\"");
   command.add_option("--seed", options->seed, "Which plant of its kind")->capture_default_str();
-  command.add_option("--age", options->age, "Age in years; default: full-grown")->each([options](const std::string&) { options->hasAge = true; });
+  command.add_option("--age", options->age, "Age in years; default: full-grown")->each([options](const std::string&) {
+    options->hasAge = true;
+  });
   command.add_option("--rules", options->rules, "L-system rules (docs/lsystem.md) instead of a preset's");
   return options;
 }
@@ -112,7 +116,8 @@ int generatePlant(const GenerateOptions& options) {
     if (!tried->notes.isEmpty()) return fail(rulesFile, tried->notes.front());
   }
   const QString output = text(options.output);
-  if (const Status written = writePlant(std::move(*plant), output, progress); !written) return fail(output, written.error());
+  if (const Status written = writePlant(std::move(*plant), output, progress); !written)
+    return fail(output, written.error());
   return 0;
 }
 

@@ -79,7 +79,8 @@ model::Camera cameraAt(const Sight& sight, bool near, QSize size) {
   if (!near) {
     camera.elevation = 2;
     camera.distance = 0.54 * std::max(height, across / aspect) / half + 0.2 * across;
-    camera.target = {0.5f * (box.lower.x + box.upper.x), static_cast<float>(0.47 * height), 0.5f * (box.lower.z + box.upper.z)};
+    camera.target = {0.5f * (box.lower.x + box.upper.x), static_cast<float>(0.47 * height),
+                     0.5f * (box.lower.z + box.upper.z)};
     return camera;
   }
   const double reach = height > 4 ? std::clamp(0.15 * height, 1.2, 2.4) : 0.6 * height;
@@ -92,7 +93,8 @@ model::Camera cameraAt(const Sight& sight, bool near, QSize size) {
 class Studio {
  public:
   static Result<std::unique_ptr<Studio>> open(QSize size) {
-    Result<std::unique_ptr<render::OffscreenContext>> context = render::OffscreenContext::create(size.width(), size.height());
+    Result<std::unique_ptr<render::OffscreenContext>> context =
+        render::OffscreenContext::create(size.width(), size.height());
     if (!context) return context.error();
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create();
     if (!renderer) return renderer.error();
@@ -104,13 +106,17 @@ class Studio {
   }
 
   /// Whole and near; `sight` is where the first of a plant's pictures looked.
-  Result<std::vector<QImage>> shoot(const model::Project& project, std::optional<Sight>& sight, model::Progress& progress) {
+  Result<std::vector<QImage>> shoot(const model::Project& project, std::optional<Sight>& sight,
+                                    model::Progress& progress) {
     Result<model::SceneAssembly> assembly = model::assembleScene(project, progress);
     if (!assembly) return assembly.error();
-    assembly->sim.leaves.count = static_cast<decltype(assembly->sim.leaves.count)>(assembly->sim.trees.front().tree->sites.size());
+    assembly->sim.leaves.count =
+        static_cast<decltype(assembly->sim.leaves.count)>(assembly->sim.trees.front().tree->sites.size());
     Result<std::unique_ptr<sim::Engine>> engine = sim::Engine::create(assembly->sim, sim::Device::Cpu);
     if (!engine) return engine.error();
-    if (const Status set = renderer_->setContent(widgets::makeContent(*assembly, project.scene, (*engine)->leafCount())); !set) {
+    if (const Status set =
+            renderer_->setContent(widgets::makeContent(*assembly, project.scene, (*engine)->leafCount()));
+        !set) {
       return set.error();
     }
     const std::optional<widgets::Box> box = widgets::sceneBox(*assembly, project.scene);
@@ -126,7 +132,9 @@ class Studio {
       renderer_->publish(slot);
       if (const Status drawn = renderer_->draw(view, context_->framebuffer()); !drawn) return drawn.error();
       const render::Picture picture = context_->read();
-      pictures.push_back(QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBX8888).copy());
+      pictures.push_back(
+          QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBX8888)
+              .copy());
     }
     return pictures;
   }
@@ -152,7 +160,8 @@ int drawSpecies(const SpeciesOptions& options) {
   Result<std::unique_ptr<Studio>> studio = Studio::open(cell * 2);
   if (!studio) return fail({}, studio.error());
   constexpr int kGap = 4, kLabel = 22, kColumns = 2;
-  const int rows = (static_cast<int>(names.size()) + kColumns - 1) / kColumns, columns = std::min<int>(kColumns, static_cast<int>(names.size()));
+  const int rows = (static_cast<int>(names.size()) + kColumns - 1) / kColumns,
+            columns = std::min<int>(kColumns, static_cast<int>(names.size()));
   const QSize block(4 * (cell.width() + kGap) + kGap, cell.height() + kLabel + kGap);
   QImage sheet(block.width() * columns, block.height() * rows + kGap, QImage::Format_RGB32);
   sheet.fill(QColor(28, 30, 28));
@@ -186,7 +195,8 @@ int drawSpecies(const SpeciesOptions& options) {
   painter.end();
   QSaveFile file(output);
   const QByteArray format = output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) ? "PNG" : "JPEG";
-  if (!file.open(QIODevice::WriteOnly) || !sheet.save(&file, format.constData(), format == "PNG" ? -1 : options.quality) || !file.commit()) {
+  if (!file.open(QIODevice::WriteOnly) ||
+      !sheet.save(&file, format.constData(), format == "PNG" ? -1 : options.quality) || !file.commit()) {
     return fail(output, file.errorString());
   }
   return 0;
@@ -195,13 +205,18 @@ int drawSpecies(const SpeciesOptions& options) {
 }  // namespace
 
 void declareSpecies(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("species", "Draw the growers' presets as one sheet: whole and near, in summer and bare");
+  CLI::App* command =
+      app.add_subcommand("species", "Draw the growers' presets as one sheet: whole and near, in summer and bare");
   auto options = std::make_shared<SpeciesOptions>();
   command->add_option("-o,--output", options->output, "The picture (.jpg or .png)")->required();
   command->add_option("--preset", options->presets, "Only this one; may be given again");
-  command->add_option("--cell", options->cell, "Width of a picture in pixels")->check(CLI::Range(40, 2000))->capture_default_str();
+  command->add_option("--cell", options->cell, "Width of a picture in pixels")
+      ->check(CLI::Range(40, 2000))
+      ->capture_default_str();
   command->add_option("--seed", options->seed, "Which plants of their kinds")->capture_default_str();
-  command->add_option("--age", options->age, "Share of the age of maturity")->check(CLI::Range(0.0, 2.0))->capture_default_str();
+  command->add_option("--age", options->age, "Share of the age of maturity")
+      ->check(CLI::Range(0.0, 2.0))
+      ->capture_default_str();
   command->callback([options, &action] { action = [options] { return drawSpecies(*options); }; });
 }
 

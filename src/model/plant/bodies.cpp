@@ -147,7 +147,8 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
   }
 
   // A grower has said where leaves stand: without any the plant is bare.
-  const bool bare = geometry.leafSites.empty() && plant.file.isEmpty() && plant.grower && plant.grower->method != GrowMethod::Rule;
+  const bool bare =
+      geometry.leafSites.empty() && plant.file.isEmpty() && plant.grower && plant.grower->method != GrowMethod::Rule;
   const double area = bare ? 0 : naturalLeafArea(bones, bodies.branches);
   shareLeafArea(area * plant.leafDensity, geometry, bodies);
   // Before the artist's edits, so that softer wood bends more instead of growing thicker.

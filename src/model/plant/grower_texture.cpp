@@ -49,14 +49,15 @@ QImage barkTexture(quint64 seed) {
     for (int x = 0; x < kWidth; ++x) {
       const float u = static_cast<float>(x) / kWidth, v = static_cast<float>(y) / kHeight;
       // Long plates with ragged borders, fine fissures inside them, lichen and grain on top.
-      const float bendX = 0.035f * tileNoise(seed, u * 6, v * 10, 6, 10) + 0.012f * tileNoise(seed + 7, u * 20, v * 32, 20, 32);
+      const float bendX =
+          0.035f * tileNoise(seed, u * 6, v * 10, 6, 10) + 0.012f * tileNoise(seed + 7, u * 20, v * 32, 20, 32);
       const float bendY = 0.03f * tileNoise(seed + 8, u * 8, v * 12, 8, 12);
       const float border = tilePlates(seed + 1, (u + bendX) * 13, (v + bendY) * 5, 13, 5);
       const float fine = tilePlates(seed + 2, (u + bendX) * 31, (v + bendY) * 9, 31, 9);
       const float plate = std::sqrt(std::clamp(border / 0.42f, 0.0f, 1.0f));
       const float split = 0.72f + 0.28f * std::clamp(fine / 0.3f, 0.0f, 1.0f);
-      const float grain =
-          0.6f * tileNoise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) + 0.4f * tileNoise(seed + 5, u * 128, v * 256, 128, 256);
+      const float grain = 0.6f * tileNoise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) +
+                          0.4f * tileNoise(seed + 5, u * 128, v * 256, 128, 256);
       const float tone = 0.5f + 0.5f * tileNoise(seed + 9, u * 4, v * 6, 4, 6);
       const float lichen = std::clamp(tileNoise(seed + 6, u * 7, v * 13, 7, 13) * 1.6f - 0.5f, 0.0f, 1.0f);
       const float height = std::clamp(plate * split + 0.07f * grain, 0.0f, 1.0f);

@@ -44,10 +44,10 @@ Result<std::vector<LeafTexture>> makeLayers(const Project& project, const LayerP
   std::vector<LeafTexture> layers;
   for (const LayerSource& layer : plan.layers) {
     constexpr double kBlade = 0.08;  // m; the picture is drawn in the size of each leaf
-    layers.push_back(layer.leaf ? ofLeaf[layer.leaf][place[layer.leaf][layer.variant]]
-                     : layer.look < 0
-                         ? standIn()
-                         : growth::speciesLeaf(static_cast<LeafLook>(layer.look), static_cast<int>(layer.variant), kBlade));
+    layers.push_back(layer.leaf       ? ofLeaf[layer.leaf][place[layer.leaf][layer.variant]]
+                     : layer.look < 0 ? standIn()
+                                      : growth::speciesLeaf(static_cast<LeafLook>(layer.look),
+                                                            static_cast<int>(layer.variant), kBlade));
   }
   return layers;
 }

@@ -21,7 +21,9 @@ constexpr double kGrip = 9;       ///< px
 CrownEditor::CrownEditor(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(150);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("The crown from the side. Drag its points, click to add one, right-click to take one away; a double click goes back to the formula."));
+  setToolTip(
+      tr("The crown from the side. Drag its points, click to add one, right-click to take one away; a double click "
+         "goes back to the formula."));
   setAccessibleName(tr("Crown outline"));
 }
 
@@ -40,7 +42,8 @@ QPointF CrownEditor::toWidget(QPointF point) const {
 }
 
 QPointF CrownEditor::fromWidget(QPointF place) const {
-  return {std::clamp((place.x() / width() - 0.5) * 2 * kWidest, -kWidest, kWidest), std::clamp(1 - (place.y() - 8) / (height() - 24), 0.0, 1.0)};
+  return {std::clamp((place.x() / width() - 0.5) * 2 * kWidest, -kWidest, kWidest),
+          std::clamp(1 - (place.y() - 8) / (height() - 24), 0.0, 1.0)};
 }
 
 int CrownEditor::nearest(QPointF place) const {
@@ -64,7 +67,8 @@ void CrownEditor::paintEvent(QPaintEvent*) {
   constexpr int kSteps = 60;
   for (int side = 0; side < 2; ++side) {
     for (int i = 0; i <= kSteps; ++i) {
-      const double u = static_cast<double>(side == 0 ? i : kSteps - i) / kSteps, r = model::growth::crownRadius(drawn, u, side == 1);
+      const double u = static_cast<double>(side == 0 ? i : kSteps - i) / kSteps,
+                   r = model::growth::crownRadius(drawn, u, side == 1);
       const QPointF place = toWidget({side == 0 ? r : -r, u});
       if (side == 0 && i == 0) {
         outline.moveTo(place);

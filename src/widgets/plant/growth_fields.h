@@ -36,9 +36,11 @@ class GrowthFields : public QObject {
 
   void edit(const Change& change, const QString& text, const QString& merge);
   template <class T>
-  NumberField* number(FieldGroup* group, const QString& key, const QString& label, const NumberSpec& spec, Member<T> member, const QString& help = {});
+  NumberField* number(FieldGroup* group, const QString& key, const QString& label, const NumberSpec& spec,
+                      Member<T> member, const QString& help = {});
   template <class T>
-  ChoiceField* choice(FieldGroup* group, const QString& key, const QString& label, const QStringList& names, Member<T> member);
+  ChoiceField* choice(FieldGroup* group, const QString& key, const QString& label, const QStringList& names,
+                      Member<T> member);
   void check(FieldGroup* group, const QString& key, const QString& label, Member<bool> member, const QString& help);
   void makeGeneral(FieldGroup& group);
   void makeCrown(FieldPanel& panel);
@@ -56,7 +58,8 @@ class GrowthFields : public QObject {
   CrownEditor* outline_ = nullptr;
   RulesEditor* rules_ = nullptr;
   QWidget* noMesh_ = nullptr;
-  FieldGroup *crown_ = nullptr, *branching_ = nullptr, *competition_ = nullptr, *rulesGroup_ = nullptr, *foliage_ = nullptr, *wood_ = nullptr;
+  FieldGroup *crown_ = nullptr, *branching_ = nullptr, *competition_ = nullptr, *rulesGroup_ = nullptr,
+             *foliage_ = nullptr, *wood_ = nullptr;
 };
 
 }  // namespace windfall::widgets

@@ -11,7 +11,8 @@
 
 namespace windfall::widgets {
 
-PlantShaping::PlantShaping(const Surroundings& around, QAction* select, ViewportTool& selectTool, FieldPanel& panel, QObject* parent)
+PlantShaping::PlantShaping(const Surroundings& around, QAction* select, ViewportTool& selectTool, FieldPanel& panel,
+                           QObject* parent)
     : QObject(parent), around_(around), tools_(makeShapeTools(*this)), group_(this) {
   const auto activate = [this](QAction* action, ViewportTool* tool, const QString& help) {
     connect(action, &QAction::toggled, this, [this, tool, help](bool on) {
@@ -29,7 +30,8 @@ PlantShaping::PlantShaping(const Surroundings& around, QAction* select, Viewport
     action->setCheckable(true);
     action->setShortcut(tool->shortcut());
     action->setStatusTip(tool->help());
-    action->setToolTip(QStringLiteral("%1 (%2)").arg(tool->title(), action->shortcut().toString(QKeySequence::NativeText)));
+    action->setToolTip(
+        QStringLiteral("%1 (%2)").arg(tool->title(), action->shortcut().toString(QKeySequence::NativeText)));
     activate(action, tool.get(), tool->help());
     // The plant is shaped as it stands at rest.
     connect(action, &QAction::toggled, this, [this](bool on) {
@@ -41,7 +43,8 @@ PlantShaping::PlantShaping(const Surroundings& around, QAction* select, Viewport
   count_ = parts_->add(new InfoField(tr("Edits")));
   count_->setObjectName("shape.edits");
   connect(parts_->addButton(tr("Take all edits back"), "reset"), &QPushButton::clicked, this, [this] {
-    document().setPlant(plant(), &model::Plant::handEdits, std::vector<model::HandEdit>{}, model::Aspect::PlantSource, tr("Take back what was shaped by hand"));
+    document().setPlant(plant(), &model::Plant::handEdits, std::vector<model::HandEdit>{}, model::Aspect::PlantSource,
+                        tr("Take back what was shaped by hand"));
   });
   choice_ = parts_->add(new ChoiceField(tr("Part"), {}, 0));
   choice_->setObjectName("shape.part");
@@ -52,7 +55,8 @@ PlantShaping::PlantShaping(const Surroundings& around, QAction* select, Viewport
   connect(parts_->addButton(tr("Forget this part"), "delete"), &QPushButton::clicked, this, [this] {
     if (const model::PlantPart* chosen = part()) {
       const QString name = chosen->name;
-      if (const Status removed = library_.remove(name); !removed) emit message(QString::fromStdString(removed.error().message), true);
+      if (const Status removed = library_.remove(name); !removed)
+        emit message(QString::fromStdString(removed.error().message), true);
       listParts();
     }
   });
@@ -75,7 +79,9 @@ void PlantShaping::listParts() {
 
 const model::PlantPart* PlantShaping::part() const {
   const int index = choice_->box()->currentIndex();
-  return index >= 0 && index < static_cast<int>(library_.parts().size()) ? &library_.parts()[static_cast<std::size_t>(index)] : nullptr;
+  return index >= 0 && index < static_cast<int>(library_.parts().size())
+             ? &library_.parts()[static_cast<std::size_t>(index)]
+             : nullptr;
 }
 
 void PlantShaping::keepPart() {
@@ -88,7 +94,8 @@ void PlantShaping::keepPart() {
   }
   // The chosen link that is nearest the root begins the part: links stand in depth-first order.
   const auto bone = static_cast<std::size_t>(loaded.bodies->boneOfLink[links.front()]);
-  model::PlantPart part = model::partOf(loaded.geometry->bones, bone, QStringLiteral("%1, %2").arg(shown->name, loaded.geometry->bones[bone].name));
+  model::PlantPart part = model::partOf(loaded.geometry->bones, bone,
+                                        QStringLiteral("%1, %2").arg(shown->name, loaded.geometry->bones[bone].name));
   if (const Status saved = library_.save(part); !saved) {
     emit message(QString::fromStdString(saved.error().message), true);
     return;
@@ -100,9 +107,11 @@ void PlantShaping::keepPart() {
 
 void PlantShaping::show() {
   const model::Plant* shown = document().project().plant(plant());
-  const bool grown = shown != nullptr && shown->grower && shown->file.isEmpty() && shown->grower->method != model::GrowMethod::Rule;
+  const bool grown =
+      shown != nullptr && shown->grower && shown->file.isEmpty() && shown->grower->method != model::GrowMethod::Rule;
   parts_->setVisible(shown != nullptr);
-  count_->setValue(!grown ? tr("none: not grown by a grower") : tr("%n", nullptr, static_cast<int>(shown->handEdits.size())));
+  count_->setValue(!grown ? tr("none: not grown by a grower")
+                          : tr("%n", nullptr, static_cast<int>(shown->handEdits.size())));
   for (QAction* action : actions_) action->setEnabled(grown);
   if (!grown && group_.checkedAction() != group_.actions().front()) group_.actions().front()->setChecked(true);
 }

@@ -33,7 +33,8 @@ class PlantShaping : public QObject, public ShapeToolHost {
     std::function<std::vector<std::size_t>()> chosenLinks;
   };
   /// `select` and its tool join the exclusive group; the parts' group goes into `panel`.
-  PlantShaping(const Surroundings& around, QAction* select, ViewportTool& selectTool, FieldPanel& panel, QObject* parent = nullptr);
+  PlantShaping(const Surroundings& around, QAction* select, ViewportTool& selectTool, FieldPanel& panel,
+               QObject* parent = nullptr);
 
   /// The tools' actions, without `select`.
   QList<QAction*> actions() const { return actions_; }

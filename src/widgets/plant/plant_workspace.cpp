@@ -23,7 +23,7 @@
 namespace windfall::widgets {
 namespace {
 
-constexpr int kRegrowPause = 90;    // ms between the last change of a slider and the plant
+constexpr int kRegrowPause = 90;  // ms between the last change of a slider and the plant
 constexpr float kCalmSeason = 0;  // leaves stay on while branches are tuned
 
 /// Reads the file and imports it once, so that what is wrong with it is said before it is added.
@@ -121,8 +121,8 @@ void PlantWorkspace::makeInspector() {
   connect(settings_, &PlantSettings::windChanged, this, &PlantWorkspace::setWind);
   connect(settings_, &PlantSettings::importWanted, this, &PlantWorkspace::askForFile);
   connect(settings_, &PlantSettings::growWanted, this, &PlantWorkspace::grow);
-  shaping_ = new PlantShaping({context_.document, *viewport_, feed_, controller_, [this] { return plant_; }, [this] { return loaded(); },
-                               [this] { return branches_->chosenLinks(); }},
+  shaping_ = new PlantShaping({context_.document, *viewport_, feed_, controller_, [this] { return plant_; },
+                               [this] { return loaded(); }, [this] { return branches_->chosenLinks(); }},
                               select_, click_, *panel, this);
   connect(shaping_, &PlantShaping::message, this, &Workspace::message);
   connect(shaping_, &PlantShaping::status, this, &Workspace::status);
@@ -156,7 +156,8 @@ void PlantWorkspace::fillNewMenu(QMenu& menu) {
 }
 
 void PlantWorkspace::growPreset(const QString& name) {
-  Result<model::Plant> plant = model::plantOfPreset(model::PresetLibrary(), name, context_.document.project().plants.size() + 1);
+  Result<model::Plant> plant =
+      model::plantOfPreset(model::PresetLibrary(), name, context_.document.project().plants.size() + 1);
   if (plant) {
     model::Document& document = context_.document;
     document.undoStack().beginMacro(tr("Add %1").arg(plant->name));
@@ -214,7 +215,8 @@ std::optional<model::Project> PlantWorkspace::alone() const {
   alone.scene.leaves.season = kCalmSeason;
   alone.scene.leaves.spawnHeight = 0;
   // A grower's plant is shown in full leaf, whatever the scene can afford.
-  if (plant->file.isEmpty() && plant->grower && plant->grower->method != model::GrowMethod::Rule) alone.scene.leaves.count = -1;
+  if (plant->file.isEmpty() && plant->grower && plant->grower->method != model::GrowMethod::Rule)
+    alone.scene.leaves.count = -1;
   alone.scene.solver = project.scene.solver;
   alone.scene.light = project.scene.light;
   alone.scene.seed = project.scene.seed;
@@ -259,11 +261,11 @@ void PlantWorkspace::follow(const model::Change& change) {
         outdated_ = true;
       }
       settings_->show(plant_, loaded());
-  shaping_->show();
+      shaping_->show();
       break;
     case model::Aspect::Assets:
       settings_->show(plant_, loaded());
-  shaping_->show();
+      shaping_->show();
       break;
     default:
       break;

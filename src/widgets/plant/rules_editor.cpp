@@ -74,7 +74,8 @@ void RulesEditor::check() {
     }
   }
   text_->setExtraSelections(marks);
-  state_->setText(!problem_.isEmpty() ? problem_ : tr("%n rule(s)", nullptr, static_cast<int>(parsed.system.rules.size())));
+  state_->setText(!problem_.isEmpty() ? problem_
+                                      : tr("%n rule(s)", nullptr, static_cast<int>(parsed.system.rules.size())));
 }
 
 }  // namespace windfall::widgets

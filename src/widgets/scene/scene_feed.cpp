@@ -189,7 +189,8 @@ void SceneFeed::passSettings(const model::Project& project) {
   controller_.setView(sunDirection(scene.light), static_cast<float>(scene.light.strength));
   if (!assembly_) return;
   if (scene.wind != assembly_->scene.sim.wind) controller_.setWind(scene.wind);
-  if (const sim::LeafSettings leaves = leavesOf(project); leaves != assembly_->scene.sim.leaves) controller_.setLeaves(leaves);
+  if (const sim::LeafSettings leaves = leavesOf(project); leaves != assembly_->scene.sim.leaves)
+    controller_.setLeaves(leaves);
 }
 
 std::vector<mat4> SceneFeed::restPose() const {

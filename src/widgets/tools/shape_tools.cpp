@@ -104,7 +104,8 @@ class DragBranch : public ShapeTool {
     if (geometry == nullptr) return;
     setPen(painter, 1.6);
     for (const std::size_t bone : carried_) {
-      if (bone < geometry->bones.size()) drawLine(painter, camera, size, shaped(geometry->bones[bone].head), shaped(geometry->bones[bone].tail));
+      if (bone < geometry->bones.size())
+        drawLine(painter, camera, size, shaped(geometry->bones[bone].head), shaped(geometry->bones[bone].tail));
     }
     if (const QString text = state(); !text.isEmpty()) painter.drawText(now_ + QPointF(14, -8), text);
   }
@@ -209,7 +210,8 @@ class MoveNode : public DragBranch {
   void begin(const ViewportEvent&, const model::PlantGeometry& geometry) override {
     const model::Bone& bone = geometry.bones[picked_->bone];
     // The nearer end of the link is what is dragged.
-    if (picked_->share < 0.5f && bone.parent >= 0 && glm::length(geometry.bones[static_cast<std::size_t>(bone.parent)].tail - bone.head) < 1e-4f) {
+    if (picked_->share < 0.5f && bone.parent >= 0 &&
+        glm::length(geometry.bones[static_cast<std::size_t>(bone.parent)].tail - bone.head) < 1e-4f) {
       picked_->bone = static_cast<std::size_t>(bone.parent);
       carried_ = carriedBy(geometry.bones, picked_->bone);
     }
@@ -252,7 +254,9 @@ class DrawBranch : public ShapeTool {
   void move(const ViewportEvent& event) override {
     if (!picked_) return;
     const std::optional<vec3> place = meetFacing(event, start_);
-    if (place && glm::length(*place - line_.back()) > 4 * static_cast<float>(event.camera.pixelSize(start_, event.size))) line_.push_back(*place);
+    if (place &&
+        glm::length(*place - line_.back()) > 4 * static_cast<float>(event.camera.pixelSize(start_, event.size)))
+      line_.push_back(*place);
     pixel_ = static_cast<float>(event.camera.pixelSize(start_, event.size));
   }
   void release(const ViewportEvent& event) override {
@@ -264,7 +268,8 @@ class DrawBranch : public ShapeTool {
     if (line.size() < 2 || glm::length(line.back() - start_) < 8 * pixel_) return;
     model::HandEdit edit;
     edit.kind = model::HandEditKind::Draw;
-    for (std::size_t i = 1; i < line.size(); ++i) edit.line.push_back(toQt({line[i].x, std::max(line[i].y, 0.05f), line[i].z}));
+    for (std::size_t i = 1; i < line.size(); ++i)
+      edit.line.push_back(toQt({line[i].x, std::max(line[i].y, 0.05f), line[i].z}));
     add(edit, picked.bone, say("Draw a branch"));
   }
   void cancel() override {
@@ -289,7 +294,9 @@ class SetPart : public ShapeTool {
   using ShapeTool::ShapeTool;
   QString id() const override { return QStringLiteral("graft"); }
   QString title() const override { return say("Set a part on"); }
-  QString help() const override { return say("Press on the plant and drag to where the library's chosen part shall point."); }
+  QString help() const override {
+    return say("Press on the plant and drag to where the library's chosen part shall point.");
+  }
   int shortcut() const override { return Qt::Key_P; }
   bool press(const ViewportEvent& event) override {
     const model::PlantGeometry* geometry = host_.part() ? host_.shapeable() : nullptr;
@@ -330,7 +337,8 @@ void keepFar(const std::vector<vec3>& line, std::size_t from, std::size_t to, fl
   const vec3 along = line[to] - line[from];
   for (std::size_t i = from + 1; i < to; ++i) {
     const vec3 way = line[i] - line[from];
-    const float t = glm::dot(along, along) > 0 ? std::clamp(glm::dot(way, along) / glm::dot(along, along), 0.0f, 1.0f) : 0;
+    const float t =
+        glm::dot(along, along) > 0 ? std::clamp(glm::dot(way, along) / glm::dot(along, along), 0.0f, 1.0f) : 0;
     const float distance = glm::length(way - t * along);
     if (distance > most) most = distance, worst = i;
   }
@@ -350,7 +358,8 @@ void ShapeTool::add(model::HandEdit edit, std::size_t bone, const QString& text)
   edit.age = plant->grower->age;
   std::vector<model::HandEdit> edits = plant->handEdits;
   edits.push_back(std::move(edit));
-  host_.document().setPlant(host_.plant(), &model::Plant::handEdits, std::move(edits), model::Aspect::PlantSource, text);
+  host_.document().setPlant(host_.plant(), &model::Plant::handEdits, std::move(edits), model::Aspect::PlantSource,
+                            text);
 }
 
 std::vector<std::unique_ptr<ShapeTool>> makeShapeTools(ShapeToolHost& host) {

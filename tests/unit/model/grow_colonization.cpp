@@ -39,7 +39,8 @@ Plant sapling() {
 
 std::vector<dvec3> pointsOf(const Plant& plant, const SourceFile& mesh = {}) {
   Progress progress;
-  Result<std::vector<dvec3>> points = crownPoints(plant.grower->colonization, mesh, plant.grower->height, plant.grower->seed, progress);
+  Result<std::vector<dvec3>> points =
+      crownPoints(plant.grower->colonization, mesh, plant.grower->height, plant.grower->seed, progress);
   if (!points) qWarning("%s", points.error().message.c_str());
   return points ? std::move(*points) : std::vector<dvec3>{};
 }
@@ -72,7 +73,8 @@ double heightOf(const Grown& grown) {
 
 double lengthOf(const Grown& grown) {
   double length = 0;
-  for (std::size_t i = 1; i < grown.size(); ++i) length += glm::length(grown.position[i] - grown.position[at(grown.parent[i])]);
+  for (std::size_t i = 1; i < grown.size(); ++i)
+    length += glm::length(grown.position[i] - grown.position[at(grown.parent[i])]);
   return length;
 }
 
@@ -103,7 +105,8 @@ class GrowColonizationTest : public QObject {
 
 void GrowColonizationTest::theOakIsTheNotesOak() {
   const Colonized colony = colonyOf(oak());
-  QVERIFY2(std::abs(static_cast<double>(colony.grown.size()) / 8838 - 1) < 0.2, qPrintable(QString::number(colony.grown.size())));
+  QVERIFY2(std::abs(static_cast<double>(colony.grown.size()) / 8838 - 1) < 0.2,
+           qPrintable(QString::number(colony.grown.size())));
   QVERIFY(colony.rounds < 200);
   QVERIFY(colony.unreachable < 300);
   const Grown grown = grownOf(oak());
@@ -148,7 +151,8 @@ void GrowColonizationTest::equalsBruteForceNodeForNode() {
       const dvec3 q = slow.position[j] + c.step * glm::normalize(glm::normalize(sum) + dvec3(0, c.upward, 0));
       bool repeats = glm::length(sum) < 0.05 * count;
       for (std::size_t k = 1; k < slow.size(); ++k) {
-        repeats = repeats || (slow.parent[k] == static_cast<int>(j) && glm::length(slow.position[k] - q) < 0.25 * c.step);
+        repeats =
+            repeats || (slow.parent[k] == static_cast<int>(j) && glm::length(slow.position[k] - q) < 0.25 * c.step);
       }
       if (!repeats) {
         slow.add(q, static_cast<int>(j), round);
@@ -193,7 +197,9 @@ void GrowColonizationTest::ageReplaysGrowth() {
     QVERIFY(grown.size() >= last);
     QVERIFY(heightOf(grown) >= lastHeight);
     QVERIFY(grown.radius[0] >= lastRadius);
-    if (share >= 0.2) QVERIFY2(std::abs(heightOf(grown) / (16 * share) - 1) < 0.25, qPrintable(QString::number(heightOf(grown) / share)));
+    if (share >= 0.2)
+      QVERIFY2(std::abs(heightOf(grown) / (16 * share) - 1) < 0.25,
+               qPrintable(QString::number(heightOf(grown) / share)));
     last = grown.size(), lastHeight = heightOf(grown), lastRadius = grown.radius[0];
   }
 }

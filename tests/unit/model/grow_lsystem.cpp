@@ -1,9 +1,9 @@
 // The language of the L-systems: derivation and turtle against the method note's numbers, and what goes wrong.
+#include <omp.h>
 #include <QElapsedTimer>
 #include <QtTest>
 #include <cmath>
 #include <cstring>
-#include <omp.h>
 
 #include "model/plant/grow/draw.h"
 #include "model/plant/grow/lsystem.h"
@@ -95,8 +95,10 @@ void GrowLSystemTest::workedGrammarsGiveTheNotesCounts_data() {
   QTest::addColumn<QByteArray>("rules");
   QTest::addColumn<QList<int>>("counts");
   QTest::addColumn<quint64>("hash");
-  QTest::addRow("a") << QByteArray(kBush) << QList<int>{1, 11, 43, 143, 451, 1391, 4243, 12863} << Q_UINT64_C(0x45a671ebeba11988);
-  QTest::addRow("b") << QByteArray(kTernary) << QList<int>{4, 22, 76, 238, 724, 2182, 6556} << Q_UINT64_C(0xc9ede80f641cd5b3);
+  QTest::addRow("a") << QByteArray(kBush) << QList<int>{1, 11, 43, 143, 451, 1391, 4243, 12863}
+                     << Q_UINT64_C(0x45a671ebeba11988);
+  QTest::addRow("b") << QByteArray(kTernary) << QList<int>{4, 22, 76, 238, 724, 2182, 6556}
+                     << Q_UINT64_C(0xc9ede80f641cd5b3);
   QTest::addRow("c") << QByteArray(kMonopodial) << QList<int>{1, 8, 22, 50, 106, 218, 442, 890, 1786, 3578, 7162}
                      << Q_UINT64_C(0xbfb7aaa24d196fcc);
   QTest::addRow("d") << QByteArray(kSympodial) << QList<int>{1, 11, 33, 77, 165, 341, 693, 1397, 2805, 5621, 11253}
@@ -110,7 +112,8 @@ void GrowLSystemTest::workedGrammarsGiveTheNotesCounts() {
   const LSystem system = parsed(rules.constData());
   const Derived result = derived(system, static_cast<int>(counts.size()) - 1);
   QCOMPARE(static_cast<qsizetype>(result.counts.size()), counts.size());
-  for (qsizetype i = 0; i < counts.size(); ++i) QCOMPARE(static_cast<int>(result.counts[static_cast<std::size_t>(i)]), counts[i]);
+  for (qsizetype i = 0; i < counts.size(); ++i)
+    QCOMPARE(static_cast<int>(result.counts[static_cast<std::size_t>(i)]), counts[i]);
   QCOMPARE(namesHash(system, result.modules), hash);
 }
 
@@ -121,8 +124,8 @@ void GrowLSystemTest::worldSizesAreThoseOfTheNote() {
     std::size_t links;
     double height, radius;
   };
-  for (const Case& c : {Case{kBush, 7, 4118, 5.080, -1}, Case{kTernary, 6, 1457, 6.662, 3.774}, Case{kMonopodial, 10, 1023, 9.119, 3.639},
-                        Case{kSympodial, 10, 1023, 7.376, 5.186}}) {
+  for (const Case& c : {Case{kBush, 7, 4118, 5.080, -1}, Case{kTernary, 6, 1457, 6.662, 3.774},
+                        Case{kMonopodial, 10, 1023, 9.119, 3.639}, Case{kSympodial, 10, 1023, 7.376, 5.186}}) {
     const LSystem system = parsed(c.rules);
     const Result<Grown> grown = interpretInOrder(system, derived(system, c.generations).modules, {});
     QVERIFY(grown);
@@ -165,7 +168,8 @@ void GrowLSystemTest::aChoiceDependsOnItsPathAlone() {
 }
 
 void GrowLSystemTest::threadsDoNotChangeTheBits() {
-  const LSystem system = parsed("axiom: A(9)\nA(k) ; 2 -> F(k)[+(k)A(k*0.9)]/(90)A(k+1)\nA(k) ; 1 -> F(k)[-A(k/2)]A(k)A(k-1)\n");
+  const LSystem system =
+      parsed("axiom: A(9)\nA(k) ; 2 -> F(k)[+(k)A(k*0.9)]/(90)A(k+1)\nA(k) ; 1 -> F(k)[-A(k/2)]A(k)A(k-1)\n");
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
   const Derived one = derived(system, 14, 5);
@@ -175,12 +179,13 @@ void GrowLSystemTest::threadsDoNotChangeTheBits() {
   QVERIFY(one.modules.size() > 50'000);
   QCOMPARE(one.modules.symbol, four.modules.symbol);
   QCOMPARE(one.modules.id, four.modules.id);
-  QVERIFY(std::memcmp(one.modules.parameter.data(), four.modules.parameter.data(), one.modules.parameter.size() * sizeof(double)) == 0);
+  QVERIFY(std::memcmp(one.modules.parameter.data(), four.modules.parameter.data(),
+                      one.modules.parameter.size() * sizeof(double)) == 0);
 }
 
 void GrowLSystemTest::parallelTurtleWalksTheSameWay() {
-  const LSystem system = parsed(
-      "axiom: !(0.3)A(1)\nA(l) -> !(l/9)F(l)[&(40)'A(l*0.8)~(0.04)][/(120)&(35)A(l*0.7)]/(137)A(l*0.9)\n");
+  const LSystem system =
+      parsed("axiom: !(0.3)A(1)\nA(l) -> !(l/9)F(l)[&(40)'A(l*0.8)~(0.04)][/(120)&(35)A(l*0.7)]/(137)A(l*0.9)\n");
   const Derived result = derived(system, 9);
   QVERIFY(result.modules.size() > 5 * 4096);
   LSystemLimits limits;
@@ -209,7 +214,9 @@ void GrowLSystemTest::parallelTurtleWalksTheSameWay() {
 void GrowLSystemTest::messagesNameLineAndColumn_data() {
   QTest::addColumn<QByteArray>("rules");
   QTest::addColumn<QByteArray>("message");
-  const auto row = [](const char* name, const char* rules, const char* message) { QTest::addRow("%s", name) << QByteArray(rules) << QByteArray(message); };
+  const auto row = [](const char* name, const char* rules, const char* message) {
+    QTest::addRow("%s", name) << QByteArray(rules) << QByteArray(message);
+  };
   row("open bracket", "axiom: A\nA -> F+(30", "2:9: '(' is never closed");
   row("no arrow", "axiom: A\nA F", "2:1: expected '->'");
   row("stray sign", "axiom: A\nA -> F #", "2:8: unexpected '#', expected a module");
@@ -236,7 +243,8 @@ void GrowLSystemTest::explosionsStopWithTheLastWholeGeneration() {
   const LSystem system = parsed("axiom: F\nF -> FFFFFFFFFF\n");
   const Derived result = derived(system, 100);
   QCOMPARE(result.generation, 6);
-  QCOMPARE(result.stopped, std::string("generation 7 would make 10,000,000 modules (limit 2,000,000); showing generation 6"));
+  QCOMPARE(result.stopped,
+           std::string("generation 7 would make 10,000,000 modules (limit 2,000,000); showing generation 6"));
   QCOMPARE(result.modules.size(), std::size_t{1'000'000});
   const Result<Grown> grown = interpretInOrder(system, result.modules, {});
   QVERIFY(!grown);

@@ -27,7 +27,8 @@ SelfOrganizingSettings pine() {
   SelfOrganizingSettings s;
   s.rate = 0.08, s.power = 1.3, s.internode = 0.30, s.vigour = 3.2, s.leader = 0.50, s.model = ResourceModel::Combined;
   s.density = 0.10, s.falloff = 1.5, s.shadowDepth = 6;
-  s.arrangement = BudArrangement::Whorled, s.buds = 5, s.angle = 58, s.light = 0.14, s.upward = 0.20, s.longestShoot = 3;
+  s.arrangement = BudArrangement::Whorled, s.buds = 5, s.angle = 58, s.light = 0.14, s.upward = 0.20,
+  s.longestShoot = 3;
   s.pruning = 0.22, s.leastWeight = 0.5, s.favoured = 1.0, s.bole = 0.55, s.reach = 0.27, s.level = 0.1, s.apical = 0.3;
   return s;
 }
@@ -89,7 +90,8 @@ void GrowSelfOrganizingTest::borchertHondaSharesVigour() {
 void GrowSelfOrganizingTest::priorityFavoursTheBrightest() {
   SelfOrganizingSettings s;
   s.leastWeight = 0.25, s.favoured = 0.5, s.apical = 0;
-  const std::vector<double> shares = byPriority(10, {{0.2, 1, false}, {0.9, 1, false}, {0.5, 1, false}, {0.5, 1, true}}, s);
+  const std::vector<double> shares =
+      byPriority(10, {{0.2, 1, false}, {0.9, 1, false}, {0.5, 1, false}, {0.5, 1, true}}, s);
   QVERIFY(shares[1] > shares[2] && shares[2] >= shares[3] && shares[3] > shares[0]);
   QVERIFY(std::abs(shares[0] + shares[1] + shares[2] + shares[3] - 10) < 1e-12);
   s.apical = 0.3;
@@ -103,7 +105,8 @@ void GrowSelfOrganizingTest::theMapleIsTheNotesMaple() {
     QVERIFY2(made.grown.size() > 9'000 && made.grown.size() < 23'000, qPrintable(QString::number(made.grown.size())));
     const double curve = grownHeight(maple(), 14, 20);
     QVERIFY(std::abs(curve - 11.76) < 0.02);
-    QVERIFY2(std::abs(shapeOf(made.grown).height / curve - 1) < 0.05, qPrintable(QString::number(shapeOf(made.grown).height)));
+    QVERIFY2(std::abs(shapeOf(made.grown).height / curve - 1) < 0.05,
+             qPrintable(QString::number(shapeOf(made.grown).height)));
   }
 }
 
@@ -112,7 +115,8 @@ void GrowSelfOrganizingTest::thePineKeepsItsUmbrella() {
     const SelfOrganized made = grownBy(pine(), 16, 26, seed);
     const Shape shape = shapeOf(made.grown);
     QVERIFY2(made.grown.size() > 1'100 && made.grown.size() < 3'300, qPrintable(QString::number(made.grown.size())));
-    QVERIFY2(std::abs(shape.height / grownHeight(pine(), 16, 26) - 1) < 0.05, qPrintable(QString::number(shape.height)));
+    QVERIFY2(std::abs(shape.height / grownHeight(pine(), 16, 26) - 1) < 0.05,
+             qPrintable(QString::number(shape.height)));
     QVERIFY2(shape.radius > 2.4 && shape.radius < 4.4, qPrintable(QString::number(shape.radius)));
     // The bole is bare: what stands low stands near the axis.
     for (const dvec3& p : made.grown.position) {

@@ -8,7 +8,9 @@ namespace windfall::model::growth {
 
 namespace {
 
-dvec3 toDouble(const QVector3D& v) { return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())}; }
+dvec3 toDouble(const QVector3D& v) {
+  return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
+}
 
 /// Numbers of nodes made by hand: apart from the growers', and stable while the list of edits is.
 int sourceOf(std::size_t edit, std::size_t node) {
@@ -162,12 +164,24 @@ std::vector<int> applyEdits(Grown& grown, const std::vector<HandEdit>& edits, co
       continue;
     }
     switch (edit.kind) {
-      case HandEditKind::Prune: prune(grown, node, edit.stub); break;
-      case HandEditKind::Bend: bend(grown, node, toDouble(edit.axis), edit.angle); break;
-      case HandEditKind::Draw: draw(grown, node, edit, i); break;
-      case HandEditKind::Thicken: thicken(grown, node, edit.factor); break;
-      case HandEditKind::Move: move(grown, node, toDouble(edit.offset)); break;
-      case HandEditKind::Graft: graft(grown, node, edit, i); break;
+      case HandEditKind::Prune:
+        prune(grown, node, edit.stub);
+        break;
+      case HandEditKind::Bend:
+        bend(grown, node, toDouble(edit.axis), edit.angle);
+        break;
+      case HandEditKind::Draw:
+        draw(grown, node, edit, i);
+        break;
+      case HandEditKind::Thicken:
+        thicken(grown, node, edit.factor);
+        break;
+      case HandEditKind::Move:
+        move(grown, node, toDouble(edit.offset));
+        break;
+      case HandEditKind::Graft:
+        graft(grown, node, edit, i);
+        break;
     }
   }
   if (edits.empty()) return lost;

@@ -27,7 +27,11 @@ AxisTree axesOf(const Grown& grown) {
     const bool trunk = axis.order == 0 && !hasTrunk;
     hasTrunk = hasTrunk || trunk;
     char name[32];
-    std::snprintf(name, sizeof name, axis.order >= 2 ? "twig.%04d" : axis.order == 1 ? "limb.%04d" : "stem.%04d", grown.source[i]);
+    std::snprintf(name, sizeof name,
+                  axis.order >= 2   ? "twig.%04d"
+                  : axis.order == 1 ? "limb.%04d"
+                                    : "stem.%04d",
+                  grown.source[i]);
     axis.name = trunk ? "trunk" : name;
     axis.nodes = {vec3(grown.position[parent]), vec3(grown.position[i])};
     const double base = trunk ? grown.radius[parent] : grown.radius[i];

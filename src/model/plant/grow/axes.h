@@ -9,9 +9,9 @@
 namespace windfall::model::growth {
 
 struct AxisTree {
-  std::vector<grower::Axis> axes;   ///< parents before children
-  std::vector<int> boneOf;          ///< a node: the bone that ends there, -1 for the root
-  std::vector<int> nodeOf;          ///< a bone: the node at its end
+  std::vector<grower::Axis> axes;  ///< parents before children
+  std::vector<int> boneOf;         ///< a node: the bone that ends there, -1 for the root
+  std::vector<int> nodeOf;         ///< a bone: the node at its end
 };
 
 /// Follows the axis flags. Names tell the grower's number of an axis' first node, so that they stay while the plant

@@ -123,9 +123,8 @@ class Colony {
 
   void apply(const GrowthEvent& event, int round) {
     Grown& g = out_.grown;
-    const int node = findEventNode(event, g.size(), 3 * s_.step, [&](std::size_t i) {
-      return gone_[i] ? nullptr : &g.position[i];
-    });
+    const int node =
+        findEventNode(event, g.size(), 3 * s_.step, [&](std::size_t i) { return gone_[i] ? nullptr : &g.position[i]; });
     if (node < 0) return;
     if (event.prune) {
       prune(at(node));
@@ -224,9 +223,8 @@ Result<Grown> seedTrunks(const ColonizationSettings& s, double height, const std
   Grown chain;
   chain.add(dvec3(0), -1, 0);
   const auto inReach = [&](dvec3 place) {
-    return std::any_of(points.begin(), points.end(), [&](const dvec3& p) {
-      return glm::length(p - place) < s.influence;
-    });
+    return std::any_of(points.begin(), points.end(),
+                       [&](const dvec3& p) { return glm::length(p - place) < s.influence; });
   };
   bool reaches = false;
   for (int stem = 0; stem < std::max(s.stems, 1); ++stem) {
@@ -241,8 +239,9 @@ Result<Grown> seedTrunks(const ColonizationSettings& s, double height, const std
       if (k % 3 == 0) {
         // Wanders, and comes back: the axis stands over the root.
         const dvec3 off(place.x - along.x / along.y * place.y, 0, place.z - along.z / along.y * place.y);
-        direction = glm::normalize(along + s.trunkWander * dvec3(draw(seed, who, kTrunkX) - 0.5, 0, draw(seed, who, kTrunkZ) - 0.5) -
-                                   0.25 * off);
+        direction = glm::normalize(
+            along + s.trunkWander * dvec3(draw(seed, who, kTrunkX) - 0.5, 0, draw(seed, who, kTrunkZ) - 0.5) -
+            0.25 * off);
       }
       const bool tall = place.y >= s.trunkTop - 1e-9;
       if (tall && (reaches = reaches || inReach(place))) break;

@@ -10,11 +10,11 @@ namespace windfall::model::growth {
 
 /// What the artist changes while the plant grows: from round `when` on growth goes on from it.
 struct GrowthEvent {
-  double when = 0;           ///< round, or year
-  int node = -1;             ///< that it concerns, the grower's number, if that still stands near `place`
-  dvec3 place{0};            ///< m, in the grower's space
-  bool prune = false;        ///< the node and what it carries go; the space is free again
-  std::vector<dvec3> line;   ///< else: new nodes that hang on it, one after the other
+  double when = 0;          ///< round, or year
+  int node = -1;            ///< that it concerns, the grower's number, if that still stands near `place`
+  dvec3 place{0};           ///< m, in the grower's space
+  bool prune = false;       ///< the node and what it carries go; the space is free again
+  std::vector<dvec3> line;  ///< else: new nodes that hang on it, one after the other
 };
 
 /// The node that an event means: its number where that lies within `near` m of its place, else the nearest within
@@ -37,7 +37,7 @@ int findEventNode(const GrowthEvent& event, std::size_t count, double near, cons
 }
 
 struct Colonized {
-  Grown grown;        ///< raw: axes and radii are not set; `birth` counts rounds
+  Grown grown;  ///< raw: axes and radii are not set; `birth` counts rounds
   int rounds = 0;
   int unreachable = 0;  ///< points that were given up
   int left = 0;         ///< points that nothing came near

@@ -66,7 +66,8 @@ bool ClosedMesh::oddAlong(int axis, dvec3 point) const {
     const double area = cross(flat[1] - flat[0], flat[2] - flat[0]);
     if (area == 0) continue;
     const double w1 = cross(p - flat[0], flat[2] - flat[0]) / area, w2 = cross(flat[1] - flat[0], p - flat[0]) / area;
-    const double depth = corner[0][axis] + w1 * (corner[1][axis] - corner[0][axis]) + w2 * (corner[2][axis] - corner[0][axis]);
+    const double depth =
+        corner[0][axis] + w1 * (corner[1][axis] - corner[0][axis]) + w2 * (corner[2][axis] - corner[0][axis]);
     if (depth > point[axis]) odd = !odd;
   }
   return odd;

@@ -74,7 +74,8 @@ Status check(const ColonizationSettings& s, bool outlined, double height) {
     const Side side = sideOf(c, left);
     for (int i = 0; i < 64; ++i) area += along(side, (i + 0.5) / 64) / 64;
   }
-  if (c.profile.size() < 2 || !(area > 1e-4)) return Error{"the drawn crown encloses nothing: give it two points or more"};
+  if (c.profile.size() < 2 || !(area > 1e-4))
+    return Error{"the drawn crown encloses nothing: give it two points or more"};
   return ok();
 }
 
@@ -115,7 +116,8 @@ Result<std::vector<dvec3>> meshPoints(const ColonizationSettings& s, const Sourc
       return Error{"the crown's mesh encloses no volume: it is too thin or not closed"};
     }
     if (k % 4096 == 0 && progress.cancelled()) return Error{"cancelled", true};
-    const dvec3 p = mesh->lower() + size * dvec3(draw(seed, k, kMesh), draw(seed, k, kMesh + 1), draw(seed, k, kMesh + 2));
+    const dvec3 p =
+        mesh->lower() + size * dvec3(draw(seed, k, kMesh), draw(seed, k, kMesh + 1), draw(seed, k, kMesh + 2));
     if (mesh->contains(p)) points.push_back(p);
   }
   return points;

@@ -38,8 +38,8 @@ Result<ClosedMesh> readCrownMesh(const SourceFile& file, Progress& progress);
 /// Radius in shares of CrownSettings::radius at a share of the crown's height, to the right or the left.
 double crownRadius(const CrownSettings& crown, double share, bool left = false);
 
-/// `height` is the tree's; `mesh` takes the place of the outline where it is not empty. Errors: an outline without area, a mesh that is too thin or not closed, numbers that make no
-/// crown.
+/// `height` is the tree's; `mesh` takes the place of the outline where it is not empty. Errors: an outline without
+/// area, a mesh that is too thin or not closed, numbers that make no crown.
 Result<std::vector<dvec3>> crownPoints(const ColonizationSettings& settings, const SourceFile& mesh, double height,
                                        quint64 seed, Progress& progress);
 

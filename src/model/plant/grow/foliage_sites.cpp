@@ -17,7 +17,8 @@ constexpr double kMostLeaves = 250'000;
 
 class Foliage {
  public:
-  Foliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& settings, quint64 seed, PlantGeometry& geometry)
+  Foliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& settings, quint64 seed,
+          PlantGeometry& geometry)
       : grown_(grown), tree_(tree), s_(settings), seed_(seed), geometry_(geometry) {}
 
   void place() {
@@ -61,8 +62,10 @@ class Foliage {
     switch (s_.arrangement) {
       case LeafArrangement::Opposite:
         return 0.5f * kPi * static_cast<float>(number_ / 2) + kPi * static_cast<float>(number_ % 2) + jitter;
-      case LeafArrangement::TwoRanked: return kPi * m + jitter;
-      default: return kGoldenAngle * m + jitter;
+      case LeafArrangement::TwoRanked:
+        return kPi * m + jitter;
+      default:
+        return kGoldenAngle * m + jitter;
     }
   }
 
@@ -92,7 +95,8 @@ class Foliage {
     const bool tuft = s_.look == LeafLook::Pine;
     const float spin = 2 * kPi * random(2);
     for (int q = 0; q < s_.cluster; ++q) {
-      const float turn = s_.arrangement == LeafArrangement::Opposite ? 0.5f * kPi * static_cast<float>(q / 2) + kPi * static_cast<float>(q % 2)
+      const float turn = s_.arrangement == LeafArrangement::Opposite
+                             ? 0.5f * kPi * static_cast<float>(q / 2) + kPi * static_cast<float>(q % 2)
                          : s_.arrangement == LeafArrangement::TwoRanked ? kPi * static_cast<float>(q)
                                                                         : kGoldenAngle * static_cast<float>(q);
       const vec3 radial = frame * vec3(std::cos(turn + spin), std::sin(turn + spin), 0);
@@ -100,7 +104,8 @@ class Foliage {
       const float place = (static_cast<float>(q) + 0.75f) / static_cast<float>(s_.cluster);
       const float along = tuft ? length * (0.55f + 0.45f * place) : length * place;
       const float spread = tuft ? 0.75f - 0.3f * place : 0.8f;
-      const vec3 blade = glm::normalize((tuft ? 0.8f : 0.5f) * direction + spread * radial - vec3(0, static_cast<float>(s_.droop), 0));
+      const vec3 blade =
+          glm::normalize((tuft ? 0.8f : 0.5f) * direction + spread * radial - vec3(0, static_cast<float>(s_.droop), 0));
       const vec3 scatter(random(3) - 0.5f, 0, uniform(seed_, 95, number_ * 16 + static_cast<std::uint32_t>(q)) - 0.5f);
       const vec3 up = tuft ? direction + 0.2f * scatter : vec3(0, 1, 0) + 0.35f * away + 0.6f * scatter;
       leaf(bone, base + direction * along, blade, up, number_ * 16 + static_cast<std::uint32_t>(q));
@@ -138,8 +143,8 @@ class Foliage {
     vertex.position = base + direction * length;
     vertex.uv = {0.5f, -1};
     geometry_.vertices.push_back(vertex);
-    geometry_.indices.insert(geometry_.indices.end(), {first, first + 1, first + 3, first + 1, first + 2, first + 3, first + 2,
-                                                       first, first + 3, first, first + 2, first + 1});
+    geometry_.indices.insert(geometry_.indices.end(), {first, first + 1, first + 3, first + 1, first + 2, first + 3,
+                                                       first + 2, first, first + 3, first, first + 2, first + 1});
   }
 
   const Grown& grown_;
@@ -176,7 +181,8 @@ double leafAreaOf(const Grown& grown, const FoliageSettings& foliage) {
   return foliage.amount * std::min(pipe, foliage.mostLayers * std::numbers::pi * crown * crown);
 }
 
-void placeFoliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& foliage, quint64 seed, PlantGeometry& geometry) {
+void placeFoliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& foliage, quint64 seed,
+                  PlantGeometry& geometry) {
   if (!grown.leaves.empty()) {
     if (foliage.leaves) placeGiven(grown, tree, geometry);
     return;

@@ -38,7 +38,8 @@ void splitTwigs(float thinner, PlantGeometry& geometry) {
     // Stalks of short shoots have three sides and no second bone.
     const bool thin = geometry.bones[vertex.bones[0]].radius < thinner;
     std::vector<std::uint32_t>& part = thin ? twigs : bark;
-    part.insert(part.end(), geometry.indices.begin() + static_cast<std::ptrdiff_t>(i), geometry.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    part.insert(part.end(), geometry.indices.begin() + static_cast<std::ptrdiff_t>(i),
+                geometry.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
   }
   const auto first = static_cast<std::uint32_t>(bark.size()), rest = static_cast<std::uint32_t>(twigs.size());
   geometry.indices = std::move(bark);

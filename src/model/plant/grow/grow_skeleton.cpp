@@ -37,7 +37,8 @@ Status check(const ColonizationSettings& s) {
     return Error{"pulls and noise must be numbers up to 10"};
   }
   if (!within(s.trunkTop, 0, 200)) return Error{"the trunk's top must be 0 to 200 m"};
-  if (!within(s.lobes, 0, 1000) || !within(s.lobeSize, 0, 10) || !within(s.stems, 1, 64)) return Error{"lobes or stems are out of range"};
+  if (!within(s.lobes, 0, 1000) || !within(s.lobeSize, 0, 10) || !within(s.stems, 1, 64))
+    return Error{"lobes or stems are out of range"};
   if (!within(s.hangingLength, 0, 50) || !within(s.hangingShare, 0, 1) || !within(s.hangingStep, 0.02, 10)) {
     return Error{"the hanging shoots are out of range"};
   }
@@ -51,13 +52,15 @@ Status check(const SelfOrganizingSettings& s, double height) {
     return Error{"the internode is too short for a plant of this height"};
   }
   if (!within(s.vigour, 0, 100) || !within(s.leader, 0, 1)) return Error{"vigour or leader is out of range"};
-  if (!within(s.density, 0, 10) || !within(s.falloff, 1, 10) || !within(s.shadowDepth, 0, 20)) return Error{"the shadow is out of range"};
-  if (!within(s.buds, 1, 12) || !within(s.basalBuds, 0, 30) || !within(s.longestShoot, 1, 50)) return Error{"the buds are out of range"};
+  if (!within(s.density, 0, 10) || !within(s.falloff, 1, 10) || !within(s.shadowDepth, 0, 20))
+    return Error{"the shadow is out of range"};
+  if (!within(s.buds, 1, 12) || !within(s.basalBuds, 0, 30) || !within(s.longestShoot, 1, 50))
+    return Error{"the buds are out of range"};
   if (!within(s.angle, 0, 180) || !within(s.light, 0, 10) || !within(s.upward, -10, 10) || !within(s.level, 0, 10)) {
     return Error{"angle or pulls are out of range"};
   }
-  if (!within(s.apical, 0, 10) || !within(s.leastWeight, 0, 1) || !within(s.favoured, 0, 1) || !within(s.pruning, 0, 100) ||
-      !within(s.bole, 0, 1) || !within(s.reach, 0, 10)) {
+  if (!within(s.apical, 0, 10) || !within(s.leastWeight, 0, 1) || !within(s.favoured, 0, 1) ||
+      !within(s.pruning, 0, 100) || !within(s.bole, 0, 1) || !within(s.reach, 0, 10)) {
     return Error{"shares must be 0 to 1"};
   }
   return ok();
@@ -112,12 +115,13 @@ Result<GrownSkeleton> byColonization(const Plant& plant, std::vector<char>& done
   setRadii(g, s.wood.tipRadius, s.baseRadius * std::pow(size, 1.2));
   breakTwigs(g, s.wood.breakage, s.seed);
   const auto all = static_cast<double>(wanted);
-  if (colony.left > 0.05 * all) out.notes << QObject::tr("%1 % of the crown's points are out of reach").arg(qRound(100 * colony.left / all));
+  if (colony.left > 0.05 * all)
+    out.notes << QObject::tr("%1 % of the crown's points are out of reach").arg(qRound(100 * colony.left / all));
   return out;
 }
 
-Result<GrownSkeleton> bySelfOrganizing(const GrowerSettings& s, const std::vector<HandEdit>& edits, std::vector<char>& done,
-                                       Progress& progress) {
+Result<GrownSkeleton> bySelfOrganizing(const GrowerSettings& s, const std::vector<HandEdit>& edits,
+                                       std::vector<char>& done, Progress& progress) {
   if (const Status good = check(s.selfOrganizing, s.height); !good) return good.error();
   const int years = std::clamp(static_cast<int>(std::lround(s.age)), 1, kMostYears);
   const std::vector<GrowthEvent> events = eventsOfYears(edits, years, done);
@@ -126,7 +130,8 @@ Result<GrownSkeleton> bySelfOrganizing(const GrowerSettings& s, const std::vecto
   if (made.grown.size() < 2) return Error{"nothing grew: there is too little vigour or too much shade"};
   GrownSkeleton out;
   out.grown = std::move(made.grown);
-  const double size = grownHeight(s.selfOrganizing, s.height, years) / std::max(grownHeight(s.selfOrganizing, s.height, s.maturity), 1e-9);
+  const double size = grownHeight(s.selfOrganizing, s.height, years) /
+                      std::max(grownHeight(s.selfOrganizing, s.height, s.maturity), 1e-9);
   setRadii(out.grown, s.wood.tipRadius, s.baseRadius * std::pow(std::min(size, 2.0), 1.2));
   breakTwigs(out.grown, s.wood.breakage, s.seed);
   if (made.full) out.notes << QObject::tr("growth was stopped at 300,000 nodes");
@@ -143,7 +148,8 @@ Result<GrownSkeleton> byRules(const GrowerSettings& s, Progress& progress) {
   const bool knowsAge = text.find("age") != std::string::npos;
   const int generations = knowsAge ? whole : static_cast<int>(std::lround(whole * size));
   const LSystemLimits limits;
-  Result<Derived> derived = derive(system, generations, system.hasSeed ? system.seed ^ (s.seed - 1) : s.seed, limits, progress);
+  Result<Derived> derived =
+      derive(system, generations, system.hasSeed ? system.seed ^ (s.seed - 1) : s.seed, limits, progress);
   if (!derived) return Error{"rules " + derived.error().message, derived.error().cancelled};
   Result<Grown> grown = interpret(system, derived->modules, limits, progress);
   if (!grown) return Error{"rules: " + grown.error().message, grown.error().cancelled};
@@ -154,7 +160,8 @@ Result<GrownSkeleton> byRules(const GrowerSettings& s, Progress& progress) {
   Grown& g = out.grown;
   if (std::any_of(g.radius.begin(), g.radius.end(), [](double r) { return r > 0; })) {
     for (double& radius : g.radius) radius = radius > 0 ? radius : 0.5 * system.width;
-    for (std::size_t i = g.size(); i-- > 1;) g.radius[at(g.parent[i])] = std::max(g.radius[at(g.parent[i])], g.radius[i]);
+    for (std::size_t i = g.size(); i-- > 1;)
+      g.radius[at(g.parent[i])] = std::max(g.radius[at(g.parent[i])], g.radius[i]);
   } else {
     setRadii(g, s.wood.tipRadius, s.baseRadius * std::pow(size, 1.2));
   }
@@ -180,8 +187,9 @@ Result<GrownSkeleton> growSkeleton(const Plant& plant, Progress& progress) {
   if (const Status good = check(settings); !good) return good.error();
   std::vector<char> done(edits.size(), 0);
   Result<GrownSkeleton> grown = settings.method == GrowMethod::SpaceColonization ? byColonization(plant, done, progress)
-                                : settings.method == GrowMethod::SelfOrganizing  ? bySelfOrganizing(settings, edits, done, progress)
-                                                                                 : byRules(settings, progress);
+                                : settings.method == GrowMethod::SelfOrganizing
+                                    ? bySelfOrganizing(settings, edits, done, progress)
+                                    : byRules(settings, progress);
   if (!grown) return grown;
   std::vector<HandEdit> now = edits;
   if (settings.method == GrowMethod::SpaceColonization) {

@@ -13,12 +13,14 @@
 namespace windfall::model::growth {
 
 struct GrownSkeleton {
-  Grown grown;          ///< with axes, radii, hand edits
-  QStringList notes;    ///< what the artist should know: points out of reach, rules that were stopped, edits that found no place
+  Grown grown;  ///< with axes, radii, hand edits
+  QStringList
+      notes;  ///< what the artist should know: points out of reach, rules that were stopped, edits that found no place
   std::vector<int> lost;  ///< indices of hand edits that found no place
 };
 
-/// By the plant's grower, crown and hand edits. Errors: numbers that make no plant, an empty crown, rules that are wrong ("rules 2:9: …").
+/// By the plant's grower, crown and hand edits. Errors: numbers that make no plant, an empty crown, rules that are
+/// wrong ("rules 2:9: …").
 Result<GrownSkeleton> growSkeleton(const Plant& plant, Progress& progress);
 
 /// Size of a plant of `age` years as a share of the full-grown one: Richards' curve (growers.md, 2.5, 1.6).

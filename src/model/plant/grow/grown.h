@@ -23,13 +23,13 @@ struct GivenLeaf {
 /// parents stand before children. Metres, Y up.
 struct Grown {
   std::vector<dvec3> position;
-  std::vector<int> parent;       ///< -1: the root
-  std::vector<double> radius;    ///< m; set by setRadii or by the rules
-  std::vector<int> birth;        ///< round, year or generation
-  std::vector<char> continues;   ///< the link continues its parent's axis
-  std::vector<int> source;       ///< the node's number in the grower, kept through merging
+  std::vector<int> parent;      ///< -1: the root
+  std::vector<double> radius;   ///< m; set by setRadii or by the rules
+  std::vector<int> birth;       ///< round, year or generation
+  std::vector<char> continues;  ///< the link continues its parent's axis
+  std::vector<int> source;      ///< the node's number in the grower, kept through merging
   std::vector<GivenLeaf> leaves;
-  double length = 0;             ///< of the whole growth, in rounds or years: what `birth` counts up to
+  double length = 0;  ///< of the whole growth, in rounds or years: what `birth` counts up to
 
   std::size_t size() const { return position.size(); }
   int add(dvec3 at, int from, int born, bool onward = false) {
@@ -62,7 +62,8 @@ void smooth(Grown& grown, int rounds);
 
 /// The pipe model with taper: tips get `tip`, r_p^2.4 = sum (r_c + taper l_c)^2.4 (5.1). Returns the root's radius.
 double pipeRadii(Grown& grown, double tip, double taper, double exponent = 2.4);
-/// The same with the taper for which the root's radius is `base`. Where even no taper is too thick the tips get thinner.
+/// The same with the taper for which the root's radius is `base`. Where even no taper is too thick the tips get
+/// thinner.
 void setRadii(Grown& grown, double tip, double base);
 
 /// Distance from each node to its subtree's farthest tip, m.

@@ -9,7 +9,9 @@ namespace windfall::model::growth {
 
 namespace {
 
-dvec3 toDouble(const QVector3D& v) { return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())}; }
+dvec3 toDouble(const QVector3D& v) {
+  return {static_cast<double>(v.x()), static_cast<double>(v.y()), static_cast<double>(v.z())};
+}
 
 bool changesGrowth(const HandEdit& edit) { return edit.kind == HandEditKind::Prune || edit.kind == HandEditKind::Draw; }
 
@@ -52,7 +54,8 @@ std::vector<GrowthEvent> eventsOfColonization(const GrowerSettings& s, const std
     events.push_back(eventOf(edits[i], round + 1, 1 / std::sqrt(share), s.colonization.step));
     done[i] = 1;
   }
-  std::stable_sort(events.begin(), events.end(), [](const GrowthEvent& a, const GrowthEvent& b) { return a.when < b.when; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const GrowthEvent& a, const GrowthEvent& b) { return a.when < b.when; });
   return events;
 }
 
@@ -64,7 +67,8 @@ std::vector<GrowthEvent> eventsOfYears(const std::vector<HandEdit>& edits, int y
     events.push_back(eventOf(edits[i], year, 1, 0.2));
     done[i] = 1;
   }
-  std::stable_sort(events.begin(), events.end(), [](const GrowthEvent& a, const GrowthEvent& b) { return a.when < b.when; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const GrowthEvent& a, const GrowthEvent& b) { return a.when < b.when; });
   return events;
 }
 

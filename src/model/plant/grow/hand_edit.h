@@ -29,15 +29,15 @@ struct PartNode {
 /// `place`, else by the place alone.
 struct HandEdit {
   HandEditKind kind = HandEditKind::Prune;
-  int node = -1;        ///< the grower's number of the node
-  QVector3D place;      ///< of that node when the edit was made
-  double age = 0;       ///< of the plant then, years
-  double stub = 0;      ///< Prune: share of the link that stays, 0..1
-  QVector3D axis;       ///< Bend: of the turn, through the node's parent
-  double angle = 0;     ///< Bend: degrees. Graft: roll about its direction
-  double factor = 1;    ///< Thicken: of the radius. Graft: of the part's size
-  double radius = 0;    ///< Draw: at the base, m; 0: as the branch there allows
-  QVector3D offset;     ///< Move: where the node goes. Graft: the direction that the part points in
+  int node = -1;                ///< the grower's number of the node
+  QVector3D place;              ///< of that node when the edit was made
+  double age = 0;               ///< of the plant then, years
+  double stub = 0;              ///< Prune: share of the link that stays, 0..1
+  QVector3D axis;               ///< Bend: of the turn, through the node's parent
+  double angle = 0;             ///< Bend: degrees. Graft: roll about its direction
+  double factor = 1;            ///< Thicken: of the radius. Graft: of the part's size
+  double radius = 0;            ///< Draw: at the base, m; 0: as the branch there allows
+  QVector3D offset;             ///< Move: where the node goes. Graft: the direction that the part points in
   std::vector<QVector3D> line;  ///< Draw: from the branch outwards, without its own node
   std::vector<PartNode> part;   ///< Graft
   bool operator==(const HandEdit&) const = default;

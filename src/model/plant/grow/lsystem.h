@@ -26,9 +26,31 @@ struct RuleError {
 /// An expression as code for a small stack machine; nothing of the host can be called from it.
 struct Expression {
   enum class Code : std::uint8_t {
-    Number, Parameter, Add, Subtract, Multiply, Divide, Power, Negate,
-    Less, LessEqual, Greater, GreaterEqual, Equal, Unequal, And, Or,
-    Sin, Cos, Exp, Log, Sqrt, Floor, Abs, Min, Max,
+    Number,
+    Parameter,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Negate,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    Unequal,
+    And,
+    Or,
+    Sin,
+    Cos,
+    Exp,
+    Log,
+    Sqrt,
+    Floor,
+    Abs,
+    Min,
+    Max,
   };
   struct Step {
     Code code;
@@ -93,8 +115,8 @@ Parsed parseRules(std::string_view text, double age = 1);
 /// A string of modules: symbols, and their parameters one after the other.
 struct ModuleString {
   std::vector<Symbol> symbol;
-  std::vector<std::uint64_t> id;          ///< for draws (3.2)
-  std::vector<std::uint32_t> first;       ///< of its parameters; one more than there are modules
+  std::vector<std::uint64_t> id;     ///< for draws (3.2)
+  std::vector<std::uint32_t> first;  ///< of its parameters; one more than there are modules
   std::vector<double> parameter;
   std::size_t size() const { return symbol.size(); }
 };
@@ -105,7 +127,7 @@ struct LSystemLimits {
   std::size_t parameters = 8'000'000;
   std::size_t work = 12'000'000;  ///< modules of all generations together
   std::size_t links = 200'000;
-  int depth = 1'000;       ///< of brackets
+  int depth = 1'000;  ///< of brackets
   int generations = 1'000;
 };
 

@@ -21,7 +21,12 @@ struct Paths {
 class Derivation {
  public:
   Derivation(const LSystem& system, std::uint64_t seed, const LSystemLimits& limits)
-      : system_(system), seed_(seed), limits_(limits), open_(system.find("[")), close_(system.find("]")), cut_(system.find("%")) {
+      : system_(system),
+        seed_(seed),
+        limits_(limits),
+        open_(system.find("[")),
+        close_(system.find("]")),
+        cut_(system.find("%")) {
     for (const Rule& rule : system.rules) needsPaths_ = needsPaths_ || !rule.left.empty() || !rule.right.empty();
   }
 
@@ -161,8 +166,10 @@ class Derivation {
 
   static bool bind(const ModuleString& now, std::size_t i, const PatternModule& pattern, double* bound) {
     const std::uint32_t from = now.first[i];
-    if (now.symbol[i] != pattern.symbol || now.first[i + 1] - from != static_cast<std::uint32_t>(pattern.parameters)) return false;
-    for (int k = 0; k < pattern.parameters; ++k) bound[pattern.first + k] = now.parameter[from + static_cast<std::uint32_t>(k)];
+    if (now.symbol[i] != pattern.symbol || now.first[i + 1] - from != static_cast<std::uint32_t>(pattern.parameters))
+      return false;
+    for (int k = 0; k < pattern.parameters; ++k)
+      bound[pattern.first + k] = now.parameter[from + static_cast<std::uint32_t>(k)];
     return true;
   }
 
@@ -208,7 +215,8 @@ class Derivation {
           return;
         }
         if (holds == 0) continue;
-        if (!rule.weight.steps.empty() && (!rule.weight.evaluate(bound, weight) || !(weight > 0) || !std::isfinite(weight))) {
+        if (!rule.weight.steps.empty() &&
+            (!rule.weight.evaluate(bound, weight) || !(weight > 0) || !std::isfinite(weight))) {
           error = RuleError(rule.weight.line, rule.weight.column, "the weight must be above 0");
           return;
         }
@@ -249,7 +257,8 @@ class Derivation {
       }
       kept.symbol.push_back(string.symbol[i]);
       kept.id.push_back(string.id[i]);
-      kept.parameter.insert(kept.parameter.end(), string.parameter.begin() + string.first[i], string.parameter.begin() + string.first[i + 1]);
+      kept.parameter.insert(kept.parameter.end(), string.parameter.begin() + string.first[i],
+                            string.parameter.begin() + string.first[i + 1]);
       kept.first.push_back(static_cast<std::uint32_t>(kept.parameter.size()));
     }
     string = std::move(kept);
@@ -272,7 +281,8 @@ std::string grouped(std::size_t number) {
 
 }  // namespace
 
-Result<Derived> derive(const LSystem& system, int generations, std::uint64_t seed, const LSystemLimits& limits, Progress& progress) {
+Result<Derived> derive(const LSystem& system, int generations, std::uint64_t seed, const LSystemLimits& limits,
+                       Progress& progress) {
   Derivation derivation(system, seed, limits);
   Result<ModuleString> axiom = derivation.axiom();
   if (!axiom) return axiom.error();
@@ -281,7 +291,8 @@ Result<Derived> derive(const LSystem& system, int generations, std::uint64_t see
   derived.counts.push_back(derived.modules.size());
   std::size_t work = derived.modules.size();
   const auto stop = [&](int generation, const std::string& why) {
-    derived.stopped = "generation " + std::to_string(generation) + " " + why + "; showing generation " + std::to_string(generation - 1);
+    derived.stopped = "generation " + std::to_string(generation) + " " + why + "; showing generation " +
+                      std::to_string(generation - 1);
   };
   for (int generation = 1; generation <= generations; ++generation) {
     if (progress.cancelled()) return Error{"cancelled", true};
@@ -297,7 +308,8 @@ Result<Derived> derive(const LSystem& system, int generations, std::uint64_t see
     }
     work += step.next.size();
     if (work > limits.work) {
-      stop(generation, "is too much work: all generations together make more than " + grouped(limits.work) + " modules");
+      stop(generation,
+           "is too much work: all generations together make more than " + grouped(limits.work) + " modules");
       break;
     }
     if (derivation.depthOf(step.next) > limits.depth) {

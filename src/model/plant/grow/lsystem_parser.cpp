@@ -36,7 +36,8 @@ class Parser {
     if (!hasAxiom_) failAt(std::max(lines, 1), 1, "there is no axiom; write \"axiom: F\"");
     out_.ignored.resize(out_.names.size(), 0);
     out_.rulesOf.resize(out_.names.size());
-    for (std::size_t i = 0; i < out_.rules.size(); ++i) out_.rulesOf[out_.rules[i].self.symbol].push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < out_.rules.size(); ++i)
+      out_.rulesOf[out_.rules[i].self.symbol].push_back(static_cast<int>(i));
     const auto known = [&](const char* name, double& value) {
       if (const auto found = defined_.find(name); found != defined_.end()) value = found->second;
     };
@@ -123,7 +124,9 @@ class Parser {
     do {
       const int place = (reader.skipSpace(), reader.column());
       const std::string name(reader.name());
-      if (name.empty()) failAt(reader, reader.atEnd() ? "'(' is never closed" : "unexpected " + found(reader) + ", expected a parameter's name");
+      if (name.empty())
+        failAt(reader, reader.atEnd() ? "'(' is never closed"
+                                      : "unexpected " + found(reader) + ", expected a parameter's name");
       if (std::find(parameters.begin(), parameters.end(), name) != parameters.end()) {
         failAt(reader.line(), place, "the parameter '" + name + "' is named twice");
       }
@@ -139,7 +142,8 @@ class Parser {
 
   std::vector<PatternModule> patterns(LineReader& reader, Parameters& parameters) {
     std::vector<PatternModule> all;
-    for (char c = reader.peek(); c != '\0' && c != '<' && c != '>' && c != ':' && c != ';' && !atArrow(reader); c = reader.peek()) {
+    for (char c = reader.peek(); c != '\0' && c != '<' && c != '>' && c != ':' && c != ';' && !atArrow(reader);
+         c = reader.peek()) {
       all.push_back(pattern(reader, parameters));
     }
     return all;
@@ -165,15 +169,16 @@ class Parser {
       if (made.right.empty()) failAt(reader, "there is nothing behind '>'");
     }
     if (self.empty()) failAt(reader, "unexpected " + found(reader) + ", expected a module");
-    if (self.size() > 1) failAt(reader.line(), column, "a rule rewrites one module; contexts stand before '<' and behind '>'");
+    if (self.size() > 1)
+      failAt(reader.line(), column, "a rule rewrites one module; contexts stand before '<' and behind '>'");
     made.self = self[0];
     if (reader.take(":")) made.condition = readExpression(reader, parameters, defined_);
     if (reader.take(";")) {
       made.weight = readExpression(reader, parameters, defined_);
       double value = 0;
-      const bool fixed = std::none_of(made.weight.steps.begin(), made.weight.steps.end(), [](const Expression::Step& step) {
-        return step.code == Expression::Code::Parameter;
-      });
+      const bool fixed =
+          std::none_of(made.weight.steps.begin(), made.weight.steps.end(),
+                       [](const Expression::Step& step) { return step.code == Expression::Code::Parameter; });
       if (fixed && (!made.weight.evaluate(nullptr, value) || !(value > 0))) {
         failAt(made.weight.line, made.weight.column, "the weight must be above 0");
       }
@@ -209,7 +214,8 @@ class Parser {
           if (reader.atEnd()) failAt(reader.line(), bracket, "'(' is never closed");
           failAt(reader, "unexpected " + found(reader) + ", expected ',' or ')'");
         }
-        if (module.parameters.size() > kMostParameters) failAt(reader.line(), bracket, "a module has at most 64 parameters");
+        if (module.parameters.size() > kMostParameters)
+          failAt(reader.line(), bracket, "a module has at most 64 parameters");
       }
       modules.push_back(std::move(module));
     }

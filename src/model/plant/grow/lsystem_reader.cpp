@@ -62,9 +62,9 @@ class ExpressionReader {
   }
   void comparison() {
     sum();
-    static const std::pair<std::string_view, Code> kSigns[] = {
-        {"<=", Code::LessEqual}, {">=", Code::GreaterEqual}, {"==", Code::Equal},
-        {"!=", Code::Unequal},   {"<", Code::Less},          {">", Code::Greater}};
+    static const std::pair<std::string_view, Code> kSigns[] = {{"<=", Code::LessEqual}, {">=", Code::GreaterEqual},
+                                                               {"==", Code::Equal},     {"!=", Code::Unequal},
+                                                               {"<", Code::Less},       {">", Code::Greater}};
     for (const auto& [sign, code] : kSigns) {
       if (!reader_.take(sign)) continue;
       sum();
@@ -148,9 +148,10 @@ class ExpressionReader {
       int arguments;
       Code code;
     };
-    static const Function kFunctions[] = {
-        {"sin", 1, Code::Sin},     {"cos", 1, Code::Cos}, {"exp", 1, Code::Exp}, {"log", 1, Code::Log}, {"sqrt", 1, Code::Sqrt},
-        {"floor", 1, Code::Floor}, {"pow", 2, Code::Power}, {"min", 2, Code::Min}, {"max", 2, Code::Max}, {"abs", 1, Code::Abs}};
+    static const Function kFunctions[] = {{"sin", 1, Code::Sin},   {"cos", 1, Code::Cos},   {"exp", 1, Code::Exp},
+                                          {"log", 1, Code::Log},   {"sqrt", 1, Code::Sqrt}, {"floor", 1, Code::Floor},
+                                          {"pow", 2, Code::Power}, {"min", 2, Code::Min},   {"max", 2, Code::Max},
+                                          {"abs", 1, Code::Abs}};
     for (const Function& function : kFunctions) {
       if (function.name != name) continue;
       const int open = reader_.column();
@@ -161,8 +162,9 @@ class ExpressionReader {
       } while (reader_.take(","));
       if (!reader_.take(")")) failAt(reader_.line(), open, "'(' is never closed");
       if (count != function.arguments) {
-        failAt(reader_.line(), column, "'" + std::string(name) + "' takes " + std::to_string(function.arguments) +
-                                           (function.arguments == 1 ? " argument, not " : " arguments, not ") + std::to_string(count));
+        failAt(reader_.line(), column,
+               "'" + std::string(name) + "' takes " + std::to_string(function.arguments) +
+                   (function.arguments == 1 ? " argument, not " : " arguments, not ") + std::to_string(count));
       }
       push(function.code);
       return;

@@ -60,10 +60,14 @@ double argument(const LSystem& system, const ModuleString& m, std::size_t i, Com
   if (m.first[i + 1] > m.first[i]) return m.parameter[m.first[i]];
   switch (command) {
     case Command::Link:
-    case Command::Move: return system.step;
-    case Command::Width: return system.width;
-    case Command::Leaf: return 0.05;
-    default: return system.angle;
+    case Command::Move:
+      return system.step;
+    case Command::Width:
+      return system.width;
+    case Command::Leaf:
+      return 0.05;
+    default:
+      return system.angle;
   }
 }
 
@@ -75,11 +79,20 @@ bool turn(State& state, const Meaning& meaning, double x) {
     state.frame = state.frame * by;
   };
   switch (meaning.command) {
-    case Command::Turn: about(kUp, meaning.sign * x); return true;
-    case Command::Pitch: about(kLeft, meaning.sign * x); return true;
-    case Command::Roll: about(kHeading, meaning.sign * x); return true;
-    case Command::Back: about(kUp, 180); return true;
-    default: return false;
+    case Command::Turn:
+      about(kUp, meaning.sign * x);
+      return true;
+    case Command::Pitch:
+      about(kLeft, meaning.sign * x);
+      return true;
+    case Command::Roll:
+      about(kHeading, meaning.sign * x);
+      return true;
+    case Command::Back:
+      about(kUp, 180);
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -108,8 +121,8 @@ Error lengthError(const std::string& name, double x) {
 }
 
 /// Makes a node at the state; empty when all is well.
-std::optional<Error> checkLink(const LSystem& system, const LSystemLimits& limits, Symbol symbol, double x, std::size_t links,
-                               bool lifted) {
+std::optional<Error> checkLink(const LSystem& system, const LSystemLimits& limits, Symbol symbol, double x,
+                               std::size_t links, bool lifted) {
   if (!(std::abs(x) <= kFarthest)) return lengthError(system.names[symbol], x);
   if (lifted) return Error{"a link behind f hangs on nothing: close a bracket first"};
   if (links > limits.links) return Error{"the rules make more than " + std::to_string(limits.links) + " links"};
@@ -131,7 +144,8 @@ Result<Grown> interpretInOrder(const LSystem& system, const ModuleString& module
     if (turn(state, m, x)) continue;
     switch (m.command) {
       case Command::Link: {
-        if (const auto error = checkLink(system, limits, modules.symbol[i], x, grown.size(), state.lifted)) return *error;
+        if (const auto error = checkLink(system, limits, modules.symbol[i], x, grown.size(), state.lifted))
+          return *error;
         state.position += x * (state.frame * kHeading);
         if (std::abs(x) > 1e-9) {
           state.node = grown.add(state.position, state.node, static_cast<int>(grown.size()));
@@ -146,11 +160,18 @@ Result<Grown> interpretInOrder(const LSystem& system, const ModuleString& module
         state.position += x * (state.frame * kHeading);
         state.lifted = state.lifted || x != 0;
         break;
-      case Command::Level: level(state); break;
-      case Command::Width: state.width = x; break;
-      case Command::Colour: ++state.colour; break;
+      case Command::Level:
+        level(state);
+        break;
+      case Command::Width:
+        state.width = x;
+        break;
+      case Command::Colour:
+        ++state.colour;
+        break;
       case Command::Leaf:
-        grown.leaves.push_back({state.node, state.position, state.frame * kHeading, state.frame * kUp, x, state.colour});
+        grown.leaves.push_back(
+            {state.node, state.position, state.frame * kHeading, state.frame * kUp, x, state.colour});
         break;
       case Command::Push:
         if (stack.size() >= static_cast<std::size_t>(limits.depth)) return Error{"brackets are nested too deeply"};
@@ -160,7 +181,8 @@ Result<Grown> interpretInOrder(const LSystem& system, const ModuleString& module
         state = stack.back();
         stack.pop_back();
         break;
-      default: break;
+      default:
+        break;
     }
   }
   return grown;
@@ -196,8 +218,8 @@ State onto(const State& base, const State& local) {
   return world;
 }
 
-void walk(const LSystem& system, const ModuleString& modules, const std::vector<Meaning>& meaning, std::size_t from, std::size_t to,
-          const LSystemLimits& limits, Chunk& chunk) {
+void walk(const LSystem& system, const ModuleString& modules, const std::vector<Meaning>& meaning, std::size_t from,
+          std::size_t to, const LSystemLimits& limits, Chunk& chunk) {
   State state;
   int base = 0;
   std::vector<std::pair<State, int>> stack;
@@ -229,10 +251,18 @@ void walk(const LSystem& system, const ModuleString& modules, const std::vector<
         state.position += x * (state.frame * kHeading);
         state.lifted = state.lifted || x != 0;
         break;
-      case Command::Width: state.width = x, state.hasWidth = true; break;
-      case Command::Colour: ++state.colour; break;
-      case Command::Leaf: chunk.leaves.push_back({state, base, i}); break;
-      case Command::Push: stack.emplace_back(state, base); break;
+      case Command::Width:
+        state.width = x, state.hasWidth = true;
+        break;
+      case Command::Colour:
+        ++state.colour;
+        break;
+      case Command::Leaf:
+        chunk.leaves.push_back({state, base, i});
+        break;
+      case Command::Push:
+        stack.emplace_back(state, base);
+        break;
       case Command::Pop:
         if (stack.empty()) {
           base = ++chunk.closed;
@@ -242,7 +272,8 @@ void walk(const LSystem& system, const ModuleString& modules, const std::vector<
           stack.pop_back();
         }
         break;
-      default: break;
+      default:
+        break;
     }
   }
   chunk.open = std::move(stack);
@@ -321,7 +352,8 @@ Result<Grown> interpretInParallel(const LSystem& system, const ModuleString& mod
   return grown;
 }
 
-Result<Grown> interpret(const LSystem& system, const ModuleString& modules, const LSystemLimits& limits, Progress& progress) {
+Result<Grown> interpret(const LSystem& system, const ModuleString& modules, const LSystemLimits& limits,
+                        Progress& progress) {
   if (progress.cancelled()) return Error{"cancelled", true};
   const bool looksAtWorld = system.bend != 0 || system.find("$") < system.names.size();
   return looksAtWorld || modules.size() < kWorthThreads ? interpretInOrder(system, modules, limits)

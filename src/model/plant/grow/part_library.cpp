@@ -46,7 +46,10 @@ QByteArray partToJson(const PlantPart& part) {
     nodes.append(QJsonArray{static_cast<double>(node.position.x()), static_cast<double>(node.position.y()),
                             static_cast<double>(node.position.z()), node.radius, node.parent});
   }
-  return QJsonDocument(QJsonObject{{QStringLiteral("version"), 1}, {QStringLiteral("name"), part.name}, {QStringLiteral("nodes"), nodes}}).toJson();
+  return QJsonDocument(QJsonObject{{QStringLiteral("version"), 1},
+                                   {QStringLiteral("name"), part.name},
+                                   {QStringLiteral("nodes"), nodes}})
+      .toJson();
 }
 
 Result<PlantPart> partFromJson(const QByteArray& json) {
@@ -64,16 +67,19 @@ Result<PlantPart> partFromJson(const QByteArray& json) {
     double value[4];
     for (int k = 0; k < 4; ++k) value[k] = row.at(k).toDouble(std::nan(""));
     const int parent = row.at(4).toInt(-2);
-    const bool good = std::all_of(std::begin(value), std::end(value), [](double v) { return std::abs(v) <= 1000; }) && value[3] >= 0 &&
-                      parent < i && parent >= (i == 0 ? -1 : 0);
+    const bool good = std::all_of(std::begin(value), std::end(value), [](double v) { return std::abs(v) <= 1000; }) &&
+                      value[3] >= 0 && parent < i && parent >= (i == 0 ? -1 : 0);
     if (!good) return Error{"nodes[" + std::to_string(i) + "]: is no node"};
-    part.nodes.push_back({{static_cast<float>(value[0]), static_cast<float>(value[1]), static_cast<float>(value[2])}, parent, value[3]});
+    part.nodes.push_back(
+        {{static_cast<float>(value[0]), static_cast<float>(value[1]), static_cast<float>(value[2])}, parent, value[3]});
   }
   return part;
 }
 
 PartLibrary::PartLibrary(const QString& folder)
-    : folder_(!folder.isEmpty() ? folder : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/parts")) {
+    : folder_(!folder.isEmpty()
+                  ? folder
+                  : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/parts")) {
   const QDir directory(folder_);
   for (const QString& name : directory.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name)) {
     QFile file(directory.filePath(name));
@@ -99,7 +105,8 @@ Status PartLibrary::save(PlantPart part) {
 }
 
 Status PartLibrary::remove(const QString& name) {
-  const auto found = std::find_if(parts_.begin(), parts_.end(), [&](const PlantPart& part) { return part.name == name; });
+  const auto found =
+      std::find_if(parts_.begin(), parts_.end(), [&](const PlantPart& part) { return part.name == name; });
   if (found == parts_.end()) return Error{"there is no such part"};
   if (!QFile::remove(found->file)) return Error{found->file.toStdString() + ": cannot be removed"};
   parts_.erase(found);

@@ -28,7 +28,8 @@ Result<Plant> plantOfPreset(const PresetLibrary& library, const QString& name, q
     plant.grower = settings;
     return plant;
   }
-  return Error{"there is no preset \"" + name.toStdString() + "\"; there are " + names.join(QStringLiteral(", ")).toStdString()};
+  return Error{"there is no preset \"" + name.toStdString() + "\"; there are " +
+               names.join(QStringLiteral(", ")).toStdString()};
 }
 
 }  // namespace windfall::model

@@ -21,7 +21,7 @@ struct Metamer {
   int parent = -1, main = -1;
   int firstSide = -1, lastSide = -1, nextSide = -1;  ///< lateral branches, in the order of their birth
   std::uint32_t buds = 0;                            ///< lateral buds that sleep, a bit a slot
-  int places = 0;                                     ///< lateral buds that there were
+  int places = 0;                                    ///< lateral buds that there were
   int order = 0, year = 0, number = 0;               ///< `number` counts along the axis
   bool dead = false;
 };
@@ -34,7 +34,8 @@ struct Bud {
 };
 
 dvec3 turned(dvec3 v, dvec3 axis, double angle) {
-  return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - std::cos(angle)));
+  return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) +
+         axis * (glm::dot(axis, v) * (1 - std::cos(angle)));
 }
 
 /// A unit vector across `direction`, as near to `up` as can be.
@@ -69,9 +70,8 @@ class Plant {
   }
 
   void apply(const GrowthEvent& event, int year) {
-    const int node = findEventNode(event, nodes_.size(), 3 * s_.internode, [&](std::size_t i) {
-      return nodes_[i].dead ? nullptr : &nodes_[i].place;
-    });
+    const int node = findEventNode(event, nodes_.size(), 3 * s_.internode,
+                                   [&](std::size_t i) { return nodes_[i].dead ? nullptr : &nodes_[i].place; });
     if (node < 0) return;
     if (event.prune) {
       if (node == 0) return;
@@ -134,8 +134,8 @@ class Plant {
       if (!dies && parent.main != static_cast<int>(i)) {
         dies = year - m.year >= 3 && sum_[i] / size_[i] < s_.pruning;
         const auto who = static_cast<std::uint64_t>(i) << 12u | static_cast<std::uint64_t>(year);
-        dies = dies || (m.order == 1 && year - m.year >= 3 && parent.place.y < s_.bole * tall &&
-                        draw(seed_, who, kBole) < 0.5);
+        dies = dies ||
+               (m.order == 1 && year - m.year >= 3 && parent.place.y < s_.bole * tall && draw(seed_, who, kBole) < 0.5);
       }
       if (!dies) continue;
       m.dead = true;
@@ -173,9 +173,9 @@ class Plant {
       v = shares.main;
     }
     const bool trunk = nodes_[at(start)].order == 0;
-    const double mix = s_.model == ResourceModel::BorchertHonda                ? 0
+    const double mix = s_.model == ResourceModel::BorchertHonda       ? 0
                        : s_.model == ResourceModel::Priority || trunk ? 1
-                                                                               : 0;
+                                                                      : 0;
     std::vector<double> given = byTopology_;
     if (mix > 0) given = byPriority(vigour, items_, s_);
     giveBack(given);

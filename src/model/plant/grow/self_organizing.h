@@ -9,8 +9,8 @@ namespace windfall::model::growth {
 double grownHeight(const SelfOrganizingSettings& settings, double height, double years);
 
 struct SelfOrganized {
-  Grown grown;       ///< axes set, radii not; `birth` counts years
-  int made = 0;      ///< metamers ever made
+  Grown grown;        ///< axes set, radii not; `birth` counts years
+  int made = 0;       ///< metamers ever made
   bool full = false;  ///< the limit of nodes stopped it
 };
 
@@ -31,6 +31,7 @@ struct AxisItem {
   bool terminal = false;
 };
 /// Shares of `vigour` by the priority rule, in the order of `items` (base to tip) (2.2).
-std::vector<double> byPriority(double vigour, const std::vector<AxisItem>& items, const SelfOrganizingSettings& settings);
+std::vector<double> byPriority(double vigour, const std::vector<AxisItem>& items,
+                               const SelfOrganizingSettings& settings);
 
 }  // namespace windfall::model::growth

@@ -1,4 +1,4 @@
-// What the growers can be told. Lengths in m, angles in degrees, time in years; the methods are in docs/growers.md.
+// What the growers can be told. Lengths in m, angles in degrees, time in years; the methods are in growers.md.
 #pragma once
 
 #include <QPointF>
@@ -63,19 +63,19 @@ struct SelfOrganizingSettings {
   double vigour = 2.2;      ///< alpha: vigour a bud's light brings
   double leader = 0.52;     ///< lambda: below 0.5 shrub, above it tree
   ResourceModel model = ResourceModel::BorchertHonda;
-  double density = 0.045;   ///< shadow that a metamer casts; more makes a thinner tree
-  double falloff = 1.6;     ///< of the shadow with each voxel down
-  int shadowDepth = 5;      ///< voxels
+  double density = 0.045;  ///< shadow that a metamer casts; more makes a thinner tree
+  double falloff = 1.6;    ///< of the shadow with each voxel down
+  int shadowDepth = 5;     ///< voxels
   BudArrangement arrangement = BudArrangement::Alternate;
-  int buds = 1;             ///< at a node, or in a whorl
-  double angle = 42;        ///< of a side shoot to its axis, degrees
-  double light = 0.12;      ///< pull towards the light
-  double upward = 0.05;     ///< pull upwards
-  double level = 0;         ///< side branches stay level: 0 not at all
-  bool sprays = false;      ///< side shoots lie left and right in the level plane
-  double apical = 0.3;      ///< advantage of the end bud in the priority model
-  int longestShoot = 5;     ///< metamers a year
-  double pruning = 0.14;    ///< sigma: branches with less light than this for their size die
+  int buds = 1;              ///< at a node, or in a whorl
+  double angle = 42;         ///< of a side shoot to its axis, degrees
+  double light = 0.12;       ///< pull towards the light
+  double upward = 0.05;      ///< pull upwards
+  double level = 0;          ///< side branches stay level: 0 not at all
+  bool sprays = false;       ///< side shoots lie left and right in the level plane
+  double apical = 0.3;       ///< advantage of the end bud in the priority model
+  int longestShoot = 5;      ///< metamers a year
+  double pruning = 0.14;     ///< sigma: branches with less light than this for their size die
   double leastWeight = 0.5;  ///< of the priority model
   double favoured = 0.5;     ///< share of the buds that it favours
   double bole = 0;           ///< lowest limbs die below this share of the height
@@ -85,8 +85,8 @@ struct SelfOrganizingSettings {
 };
 
 struct LSystemSettings {
-  QString rules;        ///< in the language of docs/lsystem.md
-  int iterations = 0;   ///< 0: as the rules say
+  QString rules;       ///< in the language of docs/lsystem.md
+  int iterations = 0;  ///< 0: as the rules say
   bool operator==(const LSystemSettings&) const = default;
 };
 
@@ -98,16 +98,16 @@ enum class LeafArrangement { Alternate, Opposite, TwoRanked };
 struct FoliageSettings {
   bool leaves = true;  ///< false: bare, twigs stay
   LeafLook look = LeafLook::Ovate;
-  double length = 0.08;       ///< of a blade, m
-  int cluster = 6;            ///< leaves on a short shoot; 1: on the twig itself
-  double leafyLength = 1.2;   ///< how far from the tips leaves stand, m
+  double length = 0.08;      ///< of a blade, m
+  int cluster = 6;           ///< leaves on a short shoot; 1: on the twig itself
+  double leafyLength = 1.2;  ///< how far from the tips leaves stand, m
   LeafArrangement arrangement = LeafArrangement::Alternate;
-  double petiole = 0.3;       ///< of the blade's length
-  double droop = 0.3;         ///< how far blades hang
-  double shoot = 0.32;        ///< length of a short shoot, m
-  double amount = 1;          ///< share of the natural number
-  double areaFactor = 0.5;    ///< area of a leaf of length 1
-  double mostLayers = 6;      ///< largest leaf area over the crown's ground
+  double petiole = 0.3;     ///< of the blade's length
+  double droop = 0.3;       ///< how far blades hang
+  double shoot = 0.32;      ///< length of a short shoot, m
+  double amount = 1;        ///< share of the natural number
+  double areaFactor = 0.5;  ///< area of a leaf of length 1
+  double mostLayers = 6;    ///< largest leaf area over the crown's ground
   bool operator==(const FoliageSettings&) const = default;
 };
 
@@ -116,7 +116,7 @@ enum class BarkLook { Plain, Oak, Birch, Aspen, Willow, Maple, Fir, Pine, Bush, 
 struct WoodSettings {
   double tipRadius = 0.0025;  ///< m
   BarkLook bark = BarkLook::Plain;
-  double breakage = 0;        ///< share of a dead tree's twigs that fell
+  double breakage = 0;  ///< share of a dead tree's twigs that fell
   bool operator==(const WoodSettings&) const = default;
 };
 

@@ -34,7 +34,8 @@ void hangShoots(Grown& grown, const ColonizationSettings& s, double size, quint6
     const int steps = std::max(1, static_cast<int>(std::lround(length / s.hangingStep)));
     for (int k = 0; k < steps; ++k) {
       const std::uint64_t each = who << 8u | static_cast<std::uint64_t>(k);
-      const dvec3 jitter(draw(seed, each, kJitter) - 0.5, draw(seed, each, kJitter + 1) - 0.5, draw(seed, each, kJitter + 2) - 0.5);
+      const dvec3 jitter(draw(seed, each, kJitter) - 0.5, draw(seed, each, kJitter + 1) - 0.5,
+                         draw(seed, each, kJitter + 2) - 0.5);
       direction = glm::normalize(direction + dvec3(0, -0.35, 0) + 0.06 * jitter);
       const dvec3 place = grown.position[at(from)] + s.hangingStep * direction;
       if (place.y < kOverGround) break;

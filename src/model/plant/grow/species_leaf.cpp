@@ -21,14 +21,22 @@ struct Look {
 
 Look lookOf(LeafLook look) {
   switch (look) {
-    case LeafLook::Oak: return {LeafShape::Oak, 1, 0.78, 0.86, 0.72};
-    case LeafLook::Birch: return {LeafShape::Serrate, 1.05, 1.02, 1.10, 0.95};
-    case LeafLook::Aspen: return {LeafShape::Serrate, 1.5, 0.98, 1.10, 1.25};
-    case LeafLook::Willow: return {LeafShape::Ovate, 0.36, 1.22, 1.20, 1.15};
-    case LeafLook::Maple: return {LeafShape::Maple, 1, 0.92, 1.02, 0.85};
-    case LeafLook::Bush: return {LeafShape::Ovate, 1.1, 0.85, 0.95, 0.8};
-    case LeafLook::Herb: return {LeafShape::Serrate, 0.8, 1.05, 1.15, 0.9};
-    default: return {LeafShape::Ovate, 1, 1, 1, 1};
+    case LeafLook::Oak:
+      return {LeafShape::Oak, 1, 0.78, 0.86, 0.72};
+    case LeafLook::Birch:
+      return {LeafShape::Serrate, 1.05, 1.02, 1.10, 0.95};
+    case LeafLook::Aspen:
+      return {LeafShape::Serrate, 1.5, 0.98, 1.10, 1.25};
+    case LeafLook::Willow:
+      return {LeafShape::Ovate, 0.36, 1.22, 1.20, 1.15};
+    case LeafLook::Maple:
+      return {LeafShape::Maple, 1, 0.92, 1.02, 0.85};
+    case LeafLook::Bush:
+      return {LeafShape::Ovate, 1.1, 0.85, 0.95, 0.8};
+    case LeafLook::Herb:
+      return {LeafShape::Serrate, 0.8, 1.05, 1.15, 0.9};
+    default:
+      return {LeafShape::Ovate, 1, 1, 1, 1};
   }
 }
 
@@ -37,7 +45,8 @@ void tint(QImage& image, const Look& look) {
     uchar* row = image.scanLine(y);
     for (int x = 0; x < image.width(); ++x) {
       const double factors[] = {look.red, look.green, look.blue};
-      for (int k = 0; k < 3; ++k) row[4 * x + k] = static_cast<uchar>(std::clamp(row[4 * x + k] * factors[k], 0.0, 255.0));
+      for (int k = 0; k < 3; ++k)
+        row[4 * x + k] = static_cast<uchar>(std::clamp(row[4 * x + k] * factors[k], 0.0, 255.0));
     }
   }
 }
@@ -49,7 +58,8 @@ void spread(QImage& image, const QColor& around) {
     for (int x = 0; x < image.width(); ++x) {
       uchar* p = row + 4 * x;
       if (p[3] > 8) continue;
-      p[0] = static_cast<uchar>(around.red()), p[1] = static_cast<uchar>(around.green()), p[2] = static_cast<uchar>(around.blue());
+      p[0] = static_cast<uchar>(around.red()), p[1] = static_cast<uchar>(around.green()),
+      p[2] = static_cast<uchar>(around.blue());
     }
   }
 }
@@ -64,13 +74,18 @@ QImage needleTwig(bool pine, quint64 seed, int height) {
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   const double h = height, cx = 0.5 * width;
-  const auto random = [&](std::uint32_t who, std::uint32_t what) { return static_cast<double>(uniform(seed, who, what)); };
+  const auto random = [&](std::uint32_t who, std::uint32_t what) {
+    return static_cast<double>(uniform(seed, who, what));
+  };
   const auto needle = [&](QPointF from, double angle, double length, double thickness, std::uint32_t who) {
     const double shade = 0.75 + 0.5 * random(who, 9);
-    const QColor colour = pine ? QColor::fromRgbF(static_cast<float>(0.24 * shade), static_cast<float>(0.36 * shade), static_cast<float>(0.17 * shade))
-                               : QColor::fromRgbF(static_cast<float>(0.13 * shade), static_cast<float>(0.27 * shade), static_cast<float>(0.15 * shade));
+    const QColor colour = pine ? QColor::fromRgbF(static_cast<float>(0.24 * shade), static_cast<float>(0.36 * shade),
+                                                  static_cast<float>(0.17 * shade))
+                               : QColor::fromRgbF(static_cast<float>(0.13 * shade), static_cast<float>(0.27 * shade),
+                                                  static_cast<float>(0.15 * shade));
     const QPointF tip = from + length * QPointF(std::sin(angle), -std::cos(angle));
-    const QPointF middle = 0.5 * (from + tip) + 0.06 * length * (random(who, 8) - 0.5) * QPointF(std::cos(angle), std::sin(angle));
+    const QPointF middle =
+        0.5 * (from + tip) + 0.06 * length * (random(who, 8) - 0.5) * QPointF(std::cos(angle), std::sin(angle));
     painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(from, middle);
     painter.setPen(QPen(colour.lighter(112), 0.75 * thickness, Qt::SolidLine, Qt::RoundCap));
@@ -117,7 +132,8 @@ LeafTexture speciesLeaf(LeafLook look, int variant, double length) {
   LeafTexture texture = uprightTexture(QStringLiteral("stand-in"), image, painted.root, painted.tip, length);
   if (is.width != 1) {
     const QSize size(std::max(8, static_cast<int>(texture.image.width() * is.width)), texture.image.height());
-    texture.image = texture.image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGBA8888);
+    texture.image = texture.image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                        .convertToFormat(QImage::Format_RGBA8888);
     texture.metres.rwidth() *= is.width;
   }
   return texture;

@@ -16,7 +16,8 @@ SkeletonGraph toGraph(const Grown& grown, const std::vector<int>& bones) {
     segment.a = vec3(grown.position[parent]);
     segment.b = vec3(grown.position[i]);
     const bool onward = i == 1 || axis[i] == axis[parent];
-    segment.ra = static_cast<float>(onward ? grown.radius[parent] : std::min(grown.radius[i] * 1.05, grown.radius[parent]));
+    segment.ra =
+        static_cast<float>(onward ? grown.radius[parent] : std::min(grown.radius[i] * 1.05, grown.radius[parent]));
     segment.rb = static_cast<float>(grown.radius[i]);
     segment.length = glm::length(segment.b - segment.a);
     segment.parent = parent == 0 ? -1 : static_cast<std::int32_t>(parent) - 1;
