@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/plant_export.h"
+#include "app/cli/plant_generate.h"
 #include "model/plant/bodies.h"
 #include "model/plant/import.h"
 
@@ -51,15 +52,23 @@ int plantInfo(const QString& path) {
 }  // namespace
 
 void declarePlant(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("plant", "Look into a plant file, or write it in another format");
+  CLI::App* command = app.add_subcommand("plant", "Look into a plant file, grow a plant, or write it in another format");
   auto file = std::make_shared<std::string>(), output = std::make_shared<std::string>();
-  command->add_option("FILE", *file, "Plant: .fbx, .glb, .gltf, .prim or .json; to write, a project too")->required();
+  command->add_option("FILE", *file, "Plant: .fbx, .glb, .gltf, .prim or .json; to write, a project too");
   auto info = std::make_shared<bool>(false);
   const std::string what = "Print what is in it as one JSON object: lengths in m, mass in kg, frequency in Hz";
   command->add_flag("--info", *info, what);
-  command->add_option("-o,--output", *output, "The file to write: .glb, .gltf, .obj, .prim or .json");
+  command->add_option("-o,--output", *output, "The file to write: .glb, .gltf, .obj, .prim, .json or .windfall");
   const std::shared_ptr<PlantExportCli> options = declarePlantExport(*command);
-  command->callback([file, info, output, options, &action] {
+  const std::shared_ptr<GenerateOptions> generate = declareGenerate(*command);
+  command->callback([file, info, output, options, generate, &action] {
+    if (!generate->method.empty()) {
+      if (output->empty()) throw CLI::RequiredError("--output");
+      generate->output = *output;
+      action = [generate] { return generatePlant(*generate); };
+      return;
+    }
+    if (file->empty()) throw CLI::RequiredError("FILE or --generate");
     if (!*info && output->empty()) throw CLI::RequiredError("--info or --output");
     action = [file, info, output, options] {
       if (!output->empty()) {

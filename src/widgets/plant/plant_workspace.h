@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <map>
 #include <set>
+#include <QTimer>
 
 #include "widgets/plant/branch_panel.h"
 #include "widgets/scene/scene_feed.h"
@@ -18,6 +19,7 @@ class BranchAttributes;
 class MotionPlot;
 class PlantSettings;
 class SurfacePanel;
+class PlantShaping;
 class Transport;
 
 class PlantWorkspace : public Workspace {
@@ -31,10 +33,10 @@ class PlantWorkspace : public Workspace {
   QWidget* canvas() override { return viewport_; }
   QWidget* inspector() override { return inspector_; }
   QWidget* strip() override { return strip_; }
-  QList<QAction*> tools() override { return {select_}; }
+  QList<QAction*> tools() override;
   void fillMenu(QMenu& menu) override;
   bool openFile(const QString& path) override;
-  void add() override { askForFile(); }
+  void add() override;
   void exportResult(bool elsewhere) override;
   void activate() override;
   void deactivate() override;
@@ -50,6 +52,9 @@ class PlantWorkspace : public Workspace {
   MotionPlot& motion() { return *motion_; }
   SurfacePanel& surface() { return *surface_; }
   Viewport& viewport() { return *viewport_; }
+  PlantShaping& shaping() { return *shaping_; }
+  /// Adds a full-grown plant of a preset, with its species' own leaves.
+  void growPreset(const QString& name);
 
  private:
   /// Clicks on branches; everything else is left to the camera.
@@ -82,7 +87,8 @@ class PlantWorkspace : public Workspace {
   void setWind(double speed);
   void askForFile();
   void grow();
-  void addPlant(model::Plant plant, const QString& path = {});
+  void fillNewMenu(QMenu& menu);
+  void addPlant(model::Plant plant, const QString& path = {}, bool withLeaves = true);
   std::optional<Box> bounds(bool chosenOnly) const;
 
   WorkspaceContext context_;
@@ -101,12 +107,14 @@ class PlantWorkspace : public Workspace {
   std::set<model::AssetId> changedOnDisk_;
   std::map<model::AssetId, QString> exports_;  ///< where each plant went last
   QJsonObject exportValues_;
+  PlantShaping* shaping_ = nullptr;
   Transport* transport_ = nullptr;
   MotionPlot* motion_ = nullptr;
   QAction *select_ = nullptr, *chooseAll_ = nullptr, *chooseNone_ = nullptr;
   std::vector<std::size_t> chosen_;  ///< links
   std::optional<std::size_t> tipLink_;
   model::AssetId framedPlant_;
+  QTimer regrow_;  ///< a pause in dragging before the plant grows anew
   bool active_ = false, outdated_ = true, keepCamera_ = false;
 };
 
