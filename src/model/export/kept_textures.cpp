@@ -28,10 +28,10 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
     if (!wanted(variant)) continue;
     if (progress.cancelled()) return Error{"cancelled", true};
     const QSize size = variant.image.size();
-    LeafTexture texture = uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
-                                         variant.image, stages->toVariant(stages->root, size),
-                                         stages->toVariant(stages->tip, size), leaf.bladeLength,
-                                         variantVeins(*stages, size));
+    LeafTexture texture =
+        uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')), variant.image,
+                       stages->toVariant(stages->root, size), stages->toVariant(stages->tip, size), leaf.bladeLength,
+                       variantVeins(*stages, size));
     if (const Status dressed = dressTexture(texture, leaf.parameters, variant.seed); !dressed) return dressed.error();
     textures.push_back(std::move(texture));
   }
