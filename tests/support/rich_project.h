@@ -43,6 +43,9 @@ inline model::Project richProject() {
   leaf.markers = {{3, 4}, {5.5, 6.25}};
   leaf.bladeLength = 0.123456789012345;
   leaf.parameters = {2.5, {18446744073709551615ULL, 11, 70.1, 30.2, 5}, {2, 5, 9}, {false, 512, 1000, 5, 0.1}};
+  leaf.parameters.maps = {0.5, 0.9, 0.1, 1.5};
+  leaf.parameters.ageing = {0.4, 3.5, 0.9, 0.8, 0.6};
+  project.atlas = {4096, 32, 3, true, AtlasPacker::Unity};
   leaf.variants = {{9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2)},
                    {7, true, QImage()}};
   Leaf bare;

@@ -17,6 +17,7 @@ enum class Aspect {
   LeafMarkers,
   LeafParameters,
   LeafVariants,
+  Atlas,  ///< how leaves are packed
   PlantSource,
   PlantEdits,
   PlantClips,

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "model/ids.h"
+#include "model/leaf/ageing.h"
+#include "model/leaf/maps.h"
 #include "model/leaf/vein.h"
 #include "model/source_file.h"
 
@@ -45,6 +47,8 @@ struct LeafParameters {
   VeinParameters veins;
   DistanceCosts costs;
   SynthesisParameters synthesis;
+  MapParameters maps;
+  AgeingParameters ageing;
   bool operator==(const LeafParameters&) const = default;
 };
 

@@ -33,6 +33,8 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
   connect(source->addButton(tr("Replace photo…"), QStringLiteral("photo")), &QPushButton::clicked, this,
           &LeafInspector::replacePhotoRequested);
 
+  addSpecies();
+
   FieldGroup* contour = addGroup(QStringLiteral("contour"), tr("Contour"));
   number(
       contour, tr("Tolerance"), {.minimum = 0, .maximum = 40, .defaultValue = 0, .decimals = 1, .unit = px},
@@ -115,6 +117,9 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
       synthesis, tr("Smoothing"), {.minimum = 0, .maximum = 4, .defaultValue = defaults.synthesis.smoothing},
       [](const LeafParameters& p) { return p.synthesis.smoothing; },
       [](LeafParameters& p, double v) { p.synthesis.smoothing = v; });
+
+  addMaps();
+  addAgeing();
 
   connect(&document_, &model::Document::changed, this, [this](const model::Change& change) {
     if (change.aspect == Aspect::Everything || change.asset == leaf_) refresh();

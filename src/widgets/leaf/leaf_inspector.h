@@ -10,7 +10,9 @@ class QLabel;
 
 namespace windfall::widgets {
 
+class ChoiceField;
 class Field;
+class PresetField;
 class InfoField;
 class NumberField;
 class SeedField;
@@ -25,13 +27,28 @@ class LeafInspector : public FieldPanel {
   void setPhotoSize(QSize size);
   SeedField* seed() const { return seed_; }
   NumberField* laterals() const { return laterals_; }
+  PresetField* species() const { return species_; }
+  ChoiceField* mapKind() const { return mapKind_; }
+  NumberField* age() const { return age_; }
+  /// Keeps the leaf's numbers as the artist's own preset; an empty name asks for one.
+  void savePreset(QString name);
+  /// Takes a preset file, or says in the message area what is wrong with it.
+  void importPreset(const QString& path);
+  /// Writes the leaf's numbers as a preset file.
+  void sharePreset(QString path);
 
  signals:
   void openPhotoRequested();
   void replacePhotoRequested();
+  /// Index of model::MapKind.
+  void mapChosen(int kind);
+  void message(const QString& text, bool isError);
 
  private:
   void refresh();
+  void addSpecies();
+  void addMaps();
+  void addAgeing();
   /// A row whose value lies in the parameters.
   NumberField* number(FieldGroup* group, const QString& label, const struct NumberSpec& spec,
                       std::function<double(const model::LeafParameters&)> get,
@@ -43,6 +60,9 @@ class LeafInspector : public FieldPanel {
   InfoField *file_, *size_;
   NumberField *bladeLength_, *laterals_;
   SeedField* seed_;
+  PresetField* species_ = nullptr;
+  ChoiceField* mapKind_ = nullptr;
+  NumberField* age_ = nullptr;
   std::vector<std::function<void(const model::Leaf&)>> refreshers_;
 };
 

@@ -48,7 +48,7 @@ QImage LeafPictures::mask() const {
 StageState LeafPictures::state(Stage stage) const {
   const model::Leaf* shown = leaf();
   if (!shown) return StageState::Unknown;
-  if (known_ && stage > valid_ && stage <= stages_.reached && stage != Stage::Variants) return StageState::OutOfDate;
+  if (known_ && stage > valid_ && stage <= stages_.reached && stage < Stage::Variants) return StageState::OutOfDate;
   const model::LeafParameters defaults;
   const model::LeafParameters& now = shown->parameters;
   bool edited = false;
@@ -73,6 +73,10 @@ StageState LeafPictures::state(Stage stage) const {
     case Stage::Superpixels:
       edited = now.synthesis.superpixels != defaults.synthesis.superpixels;
       break;
+    case Stage::Maps:
+      if (shown->variants.empty()) return StageState::Unknown;
+      return now.maps == defaults.maps && now.ageing == defaults.ageing ? StageState::Automatic : StageState::Edited;
+    case Stage::Atlas:
     case Stage::Variants:
       return shown->variants.empty() ? StageState::Unknown : StageState::Automatic;
   }

@@ -8,7 +8,9 @@ class QStackedWidget;
 
 namespace windfall::widgets {
 
+class AtlasPanel;
 class ImagePane;
+class MapsView;
 class LeafInspector;
 class LeafJobs;
 class LeafPictures;
@@ -45,6 +47,7 @@ class LeafWorkspace : public Workspace {
   LeafPictures& pictures() { return *pictures_; }
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
+  AtlasPanel& atlas() { return *atlas_; }
   LeafInspector& numbers() { return *inspector_; }
 
  private:
@@ -60,6 +63,9 @@ class LeafWorkspace : public Workspace {
   WorkspaceContext context_;
   LeafPictures* pictures_;
   LeafJobs* jobs_;
+  MapsView* maps_;
+  AtlasPanel* atlas_ = nullptr;
+  model::Stage stage_ = model::Stage::Photo;
   QWidget* window_;
   QWidget* canvas_;
   QStackedWidget* stack_;
