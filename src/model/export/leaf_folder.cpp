@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "model/export/kept_textures.h"
+#include "model/leaf/superpixel_pyramid.h"
 #include "model/leaf/vein_growth.h"
 
 namespace windfall::model {
@@ -20,6 +21,7 @@ namespace windfall::model {
 namespace {
 
 constexpr qint64 kMostJson = 64 << 20;  // bytes
+constexpr int kLevels = 5;              // of superpixels
 
 /// Hundredths of a pixel are more than a photo knows.
 double rounded(double value) { return std::round(value * 100) / 100; }
@@ -200,9 +202,17 @@ Status writeAll(const LeafFolder& leaf, const QDir& folder, Progress& progress) 
   for (const auto& [stage, name] : looks) {
     const QImage picture = stagePicture(stages, stage);
     if (stage == Stage::Regions) images.emplace_back("regions.png", picture);
-    if (stage == Stage::Superpixels) images.emplace_back("superpixels_1.png", picture);
+    if (stage == Stage::Superpixels) {
+      // The thesis's five levels, from coarse to fine.
+      LeafStages level = stages;
+      for (int n = 0; n < kLevels; ++n) {
+        level.grown.superpixels = superpixelLevel(stages.grown, n, kLevels);
+        images.emplace_back(QStringLiteral("superpixels_%1.png").arg(n + 1), stagePicture(level, stage));
+      }
+    }
     images.emplace_back(QStringLiteral("look_%1.jpg").arg(QString::fromLatin1(name)), over(stages.photo, picture));
   }
+  if (!leaf.compare.isNull()) images.emplace_back("compare.png", leaf.compare);
   const double steps = static_cast<double>(images.size() + leaf.variants.size());
   for (size_t i = 0; i < images.size(); ++i) {
     if (progress.cancelled()) return Error{"cancelled", true};
