@@ -28,10 +28,14 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
     if (!wanted(variant)) continue;
     if (progress.cancelled()) return Error{"cancelled", true};
     const QSize size = variant.image.size();
-    LeafTexture texture =
-        uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')), variant.image,
-                       stages->toVariant(stages->root, size), stages->toVariant(stages->tip, size), leaf.bladeLength,
-                       variantVeins(*stages, size));
+    const QPointF root = stages->toVariant(stages->root, size), tip = stages->toVariant(stages->tip, size);
+    // A variant that knows its own places stays right when the leaf's marks are edited after it was made; one of
+    // another shape has veins of its own, which were not kept.
+    const bool sameShape = variant.root.value_or(root) == root && variant.tip.value_or(tip) == tip;
+    LeafTexture texture = uprightTexture(
+        QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')), variant.image,
+        variant.root.value_or(root), variant.tip.value_or(tip), stages->bladeLength,
+        sameShape ? variantVeins(*stages, size) : Veins());
     if (const Status dressed = dressTexture(texture, leaf.parameters, variant.seed); !dressed) return dressed.error();
     textures.push_back(std::move(texture));
   }

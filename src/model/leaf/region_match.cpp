@@ -24,23 +24,41 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
       shape.low = region[static_cast<size_t>(0.02 * last)];
       shape.high = region[static_cast<size_t>(0.98 * last)];
       shape.area = static_cast<double>(region.size()) / static_cast<double>(leaf);
+      shape.lowest = region.front();
+      shape.highest = region.back();
+      shape.pixels = static_cast<double>(region.size());
     }
     shapes.push_back(shape);
   }
   return shapes;
 }
 
-double similarity(const RegionShape& a, const RegionShape& b) {
-  if (a.area <= 0 || b.area <= 0) return 0;
-  const double joint = std::min(a.high, b.high) - std::max(a.low, b.low);
-  const double whole = std::max(a.high, b.high) - std::min(a.low, b.low);
-  const double overlap = whole > 0 ? std::max(0.0, joint) / whole : 1;
-  const double ratio = std::log(a.area / b.area);
-  return overlap * std::exp(-ratio * ratio / (2 * 0.6 * 0.6));
+namespace {
+
+double overlap(double lowA, double highA, double lowB, double highB) {
+  const double joint = std::min(highA, highB) - std::max(lowA, lowB);
+  const double whole = std::max(highA, highB) - std::min(lowA, lowB);
+  return whole > 0 ? std::max(0.0, joint) / whole : 1;
 }
 
-std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random) {
+}  // namespace
+
+double similarity(const RegionShape& a, const RegionShape& b) {
+  if (a.area <= 0 || b.area <= 0) return 0;
+  const double ratio = std::log(a.area / b.area);
+  return overlap(a.low, a.high, b.low, b.high) * std::exp(-ratio * ratio / (2 * 0.6 * 0.6));
+}
+
+double thesisSimilarity(const RegionShape& a, const RegionShape& b) {
+  if (a.area <= 0 || b.area <= 0) return 0;
+  const double difference = a.pixels - b.pixels;
+  return overlap(a.lowest, a.highest, b.lowest, b.highest) / (1 + difference * difference);
+}
+
+std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
+                              const RegionParameters& parameters) {
   const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  const auto alike = parameters.scaleFree ? similarity : thesisSimilarity;
   std::vector<int> match(targets.size(), 0);
   if (examples.empty()) return match;
   // A region that lends its lesions more than twice is seen to repeat; few regions have to lend more often.
@@ -50,12 +68,13 @@ std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& 
   std::vector<size_t> turns(targets.size());
   std::iota(turns.begin(), turns.end(), size_t{0});
   for (size_t i = turns.size(); i > 1; --i) std::swap(turns[i - 1], turns[random.below(static_cast<std::uint32_t>(i))]);
-  const size_t best = std::min(examples.size(), std::max<size_t>(3, (examples.size() + 4) / 5));
+  const auto share = static_cast<size_t>(std::ceil(parameters.best * static_cast<double>(examples.size()) - 1e-9));
+  const size_t best = std::min(examples.size(), std::max<size_t>(3, share));
   for (const size_t turn : turns) {
     std::vector<int> order;
     std::vector<double> score;
     for (size_t e = 0; e < examples.size(); ++e) {
-      score.push_back(similarity(targets[turn], examples[e]));
+      score.push_back(alike(targets[turn], examples[e]));
       if (used[e] < most) order.push_back(static_cast<int>(e));
     }
     std::stable_sort(order.begin(), order.end(),
@@ -64,6 +83,29 @@ std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& 
     const int chosen = order[random.below(choice)];
     ++used[static_cast<size_t>(chosen)];
     match[turn] = chosen + 1;
+  }
+  return match;
+}
+
+int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo) {
+  const QPointF working = stages.toWorking(photo);
+  const int x = static_cast<int>(std::floor(working.x())), y = static_cast<int>(std::floor(working.y()));
+  if (x < 0 || y < 0 || x >= regions.size.width() || y >= regions.size.height()) return 0;
+  return regions.values[static_cast<size_t>(y) * static_cast<size_t>(regions.size.width()) + static_cast<size_t>(x)];
+}
+
+std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random) {
+  const RegionParameters& parameters = target.made.parameters.regions;
+  std::vector<int> match = matchRegions(target.grown, example.seen, random, parameters);
+  if (parameters.hold) {
+    RandomSequence held(parameters.seed, 211);
+    match = matchRegions(target.grown, example.seen, held, parameters);
+  }
+  for (const RegionPair& pair : target.made.regionPairs) {
+    if (pair.example != example.made.id && !(pair.example == AssetId{} && target.made.id == example.made.id)) continue;
+    const int to = regionAt(target, target.grown.regions, pair.target);
+    const int from = regionAt(example, example.seen.regions, pair.source);
+    if (to > 0 && from > 0 && to <= static_cast<int>(match.size())) match[static_cast<size_t>(to - 1)] = from;
   }
   return match;
 }

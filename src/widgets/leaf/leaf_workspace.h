@@ -15,6 +15,7 @@ class LeafInspector;
 class LeafJobs;
 class LeafPictures;
 class LeafToolBox;
+class RegionMatchView;
 class StageBar;
 class VariantStrip;
 
@@ -48,6 +49,7 @@ class LeafWorkspace : public Workspace {
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
   AtlasPanel& atlas() { return *atlas_; }
+  RegionMatchView& regionMatch() { return *match_; }
   LeafInspector& numbers() { return *inspector_; }
 
  private:
@@ -57,6 +59,9 @@ class LeafWorkspace : public Workspace {
   void updatePicture();
   void updateStatus();
   void makeVariants(int count);
+  void addMaskActions(QMenu& menu);
+  void addVeinActions(QMenu& menu);
+  void loadVeins();
   template <class T>
   void resetMark(T model::Leaf::*mark, model::Aspect aspect, const QString& text);
 
@@ -72,6 +77,7 @@ class LeafWorkspace : public Workspace {
   StageBar* stageBar_;
   ImagePane* pane_;
   LeafToolBox* toolBox_;
+  RegionMatchView* match_;
   LeafInspector* inspector_;
   VariantStrip* strip_;
   QPointF pointer_;
