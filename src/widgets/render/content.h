@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "kernels/detail_data.h"
 #include "kernels/math.h"
 
 namespace windfall::render {
@@ -49,6 +51,7 @@ struct Mesh {
 struct TreeDraw {
   int mesh = 0;
   std::uint32_t firstLink = 0, linkCount = 0;
+  int detail = -1;  ///< adaptive mesh that stands for the wood of `mesh`, -1: none
 };
 
 /// A layer of the leaf texture array.
@@ -60,6 +63,7 @@ struct LeafLayer {
 
 struct SceneContent {
   std::vector<Mesh> meshes;
+  std::vector<std::shared_ptr<const DetailMesh>> details;
   std::vector<TreeDraw> trees;
   std::vector<LeafLayer> leafLayers;
   std::size_t linkCount = 0, leafCount = 0;
