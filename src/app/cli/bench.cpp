@@ -21,7 +21,7 @@ namespace windfall::app {
 namespace {
 
 struct BenchOptions {
-  std::string filter, json, photos;
+  std::string filter, json, photos, pictures;
   int rounds = 7, pairs = 6;
 };
 
@@ -107,7 +107,10 @@ int bench(const BenchOptions& options) {
   if (std::string("plant.detail").find(options.filter) != std::string::npos) {
     any = true;
     sayLine("plant.detail: a flight through 50 plants, 1280 x 720, wood alone");
-    Result<std::vector<widgets::DetailBenchRow>> flown = widgets::benchDetail({}, sayLine);
+    widgets::DetailBenchOptions flightOptions;
+    flightOptions.rounds = std::min(options.rounds, flightOptions.rounds);
+    flightOptions.pictures = options.pictures;
+    Result<std::vector<widgets::DetailBenchRow>> flown = widgets::benchDetail(flightOptions, sayLine);
     if (!flown) return fail(QString(), flown.error());
     flight = std::move(*flown);
   }
@@ -134,6 +137,7 @@ void declareBench(CLI::App& app, Action& action) {
   command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command->add_option("--pictures", options->pictures, "plant.detail: keep its frames in this folder");
   command->add_option("--rounds", options->rounds, "Rounds that each contender runs")->check(CLI::Range(1, 1000));
   command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }

@@ -10,7 +10,7 @@ namespace windfall::model {
 /// A plant of a shoot with side shoots of several orders.
 struct SampleShape {
   float height = 0.9f;    ///< m
-  int links = 20;         ///< of the main shoot
+  int links = 15;         ///< of the main shoot
   int orders = 2;         ///< of side shoots
   int shoots = 2;         ///< side shoots a link
   float taper = 0.45f;    ///< of a side shoot, share of what bears it

@@ -1,5 +1,7 @@
 #include "widgets/viewport/detail_bench.h"
 
+#include <QDir>
+#include <QImage>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,6 +59,18 @@ struct Runner {
   std::vector<render::Picture> pictures;
   double vertices = 0, triangles = 0;
 };
+
+Status keepPictures(const std::string& folder, const Path& path, int mesh, const Runner& runner) {
+  const QDir dir(QString::fromStdString(folder));
+  if (!dir.mkpath(QStringLiteral("."))) return Error{folder + ": cannot make this folder"};
+  for (std::size_t i = 0; i < runner.pictures.size(); ++i) {
+    const render::Picture& p = runner.pictures[i];
+    const QImage image(p.rgba.data(), p.width, p.height, p.width * 4, QImage::Format_RGBA8888);
+    const QString name = QStringLiteral("%1_%2_%3.png").arg(path.name).arg(mesh).arg(i, 2, 10, QLatin1Char('0'));
+    if (!image.save(dir.filePath(name))) return Error{folder + ": cannot write " + name.toStdString()};
+  }
+  return ok();
+}
 
 DetailBenchRow rowOf(const Path& path, const char* name, const Runner& runner, const Runner& finest) {
   DetailBenchRow row;
@@ -124,6 +138,10 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
       }
     }
     for (std::size_t m = 0; m < kMeshes.size(); ++m) {
+      if (!options.pictures.empty()) {
+        const Status kept = keepPictures(options.pictures, path, static_cast<int>(m), runners[m]);
+        if (!kept) return kept.error();
+      }
       rows.push_back(rowOf(path, kNames[m], runners[m], runners[0]));
       const DetailBenchRow& row = rows.back();
       const DetailBenchRow& first = rows[rows.size() - 1 - m];

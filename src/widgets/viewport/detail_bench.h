@@ -12,9 +12,10 @@ namespace windfall::widgets {
 
 struct DetailBenchOptions {
   int width = 1280, height = 720;
-  int frames = 8;  ///< of each path
+  int frames = 4;  ///< of each path
   int rounds = 3;  ///< each frame counts with its shortest time
   int plants = 50;
+  std::string pictures;  ///< folder for the frames; empty: none are kept
 };
 
 /// One mesh on one path.
