@@ -1,7 +1,7 @@
 // Which runs are drawn, and how finely; the same arithmetic in the same order as src/kernels/detail_select.h.
 #include "detail.glsl"
 layout(std430, binding = 0) readonly buffer Bones { mat4 bones[]; };
-layout(std430, binding = 2) readonly buffer Rings { Ring rings[]; };
+layout(std430, binding = 11) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 3) readonly buffer Entries { Entry entries[]; };
 layout(std430, binding = 4) readonly buffer Chains { Chain chains[]; };
 layout(std430, binding = 5) readonly buffer Trees { Tree trees[]; };

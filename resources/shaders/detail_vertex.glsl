@@ -1,8 +1,13 @@
 // A vertex of a ring grid between two skinned rings (plant_meshing.md, 6.3). What lies on a shared ring depends on that
 // ring and on the vertex's own angle alone, so that neighbours agree to the bit.
 #include "detail.glsl"
+#ifdef EVALUATED
+uvec4 cell;
+uvec2 run;
+#else
 layout(location = 0) in uvec4 cell;  // place along, place around, pieces, level of the grid's sides
 layout(location = 1) in uvec2 run;   // skinned rings
+#endif
 layout(std430, binding = 6) readonly buffer Skinned { SkinnedRing skinned[]; };
 
 struct Corner {

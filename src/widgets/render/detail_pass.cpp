@@ -258,7 +258,7 @@ void DetailPass::chooseOnGpu(Lists& lists, const DetailCamera& camera) {
   const GLuint memory = lists.memory.id();
   glCopyNamedBufferSubData(template_.id(), memory, 0, offset + static_cast<GLintptr>(commandOffset_),
                            sizeof grids_.commands);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, rings_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 11, rings_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, entries_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, chains_.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, treeTable_.id());
