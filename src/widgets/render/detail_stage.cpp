@@ -7,6 +7,7 @@
 #include "widgets/render/frame_ring.h"
 #include "widgets/render/frame_uniforms.h"
 #include "widgets/render/noise_texture.h"
+#include "widgets/render/picture_target.h"
 #include "widgets/render/shadow_map.h"
 #include "widgets/render/sky_model.h"
 #include "widgets/render/tree_pass.h"
@@ -20,7 +21,8 @@ struct DetailStage::Impl {
   FrameRing ring;
   ShadowMap shadow;
   Texture color, depth, noise, skyTable;
-  Framebuffer framebuffer;
+  Texture smoothColor, smoothDepth;
+  Framebuffer framebuffer, smooth;
   Buffer uniforms, highlights;
   SkyLight sky;
 };
@@ -43,6 +45,14 @@ Result<std::unique_ptr<DetailStage>> DetailStage::create(int width, int height) 
   impl.framebuffer = makeFramebuffer();
   glNamedFramebufferTexture(impl.framebuffer.id(), GL_COLOR_ATTACHMENT0, impl.color.id(), 0);
   glNamedFramebufferTexture(impl.framebuffer.id(), GL_DEPTH_ATTACHMENT, impl.depth.id(), 0);
+  impl.smoothColor = makeTexture(GL_TEXTURE_2D_MULTISAMPLE);
+  glTextureStorage2DMultisample(impl.smoothColor.id(), PictureTarget::kSamples, GL_RGBA8, width, height, GL_TRUE);
+  impl.smoothDepth = makeTexture(GL_TEXTURE_2D_MULTISAMPLE);
+  glTextureStorage2DMultisample(impl.smoothDepth.id(), PictureTarget::kSamples, GL_DEPTH_COMPONENT32F, width, height,
+                                GL_TRUE);
+  impl.smooth = makeFramebuffer();
+  glNamedFramebufferTexture(impl.smooth.id(), GL_COLOR_ATTACHMENT0, impl.smoothColor.id(), 0);
+  glNamedFramebufferTexture(impl.smooth.id(), GL_DEPTH_ATTACHMENT, impl.smoothDepth.id(), 0);
   impl.noise = makeNoiseTexture();
   impl.sky = computeSky(glm::normalize(vec3(0.5f, 0.6f, 0.6f)), vec3(0.13f, 0.10f, 0.035f));
   impl.skyTable = makeTexture(GL_TEXTURE_2D);
@@ -66,7 +76,7 @@ Status DetailStage::setContent(const SceneContent& content) {
   return status;
 }
 
-double DetailStage::draw(const View& view, std::span<const mat4> bones, bool adaptive) {
+double DetailStage::draw(const View& view, std::span<const mat4> bones, bool adaptive, bool smooth) {
   Impl& impl = *impl_;
   glFinish();
   const auto begin = std::chrono::steady_clock::now();
@@ -85,11 +95,12 @@ double DetailStage::draw(const View& view, std::span<const mat4> bones, bool ada
   glDepthMask(GL_TRUE);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthFunc(GL_GEQUAL);
-  glBindFramebuffer(GL_FRAMEBUFFER, impl.framebuffer.id());
+  const GLuint target = (smooth ? impl.smooth : impl.framebuffer).id();
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
   glViewport(0, 0, impl.width, impl.height);
   const float nothing[4] = {0, 0, 0, 0};
-  glClearNamedFramebufferfv(impl.framebuffer.id(), GL_COLOR, 0, nothing);
-  glClearNamedFramebufferfv(impl.framebuffer.id(), GL_DEPTH, 0, nothing);
+  glClearNamedFramebufferfv(target, GL_COLOR, 0, nothing);
+  glClearNamedFramebufferfv(target, GL_DEPTH, 0, nothing);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, impl.uniforms.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, impl.highlights.id());
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, impl.ring.bones(), impl.ring.boneOffset(slot.index),
@@ -102,6 +113,10 @@ double DetailStage::draw(const View& view, std::span<const mat4> bones, bool ada
     impl.adaptive.draw(false);
   } else {
     impl.trees.draw(false);
+  }
+  if (smooth) {
+    glBlitNamedFramebuffer(target, impl.framebuffer.id(), 0, 0, impl.width, impl.height, 0, 0, impl.width, impl.height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   impl.ring.fence(slot.index);
   glFinish();

@@ -12,7 +12,7 @@
 namespace windfall::render {
 
 /// Draws the meshes, or the adaptive meshes, of trees with the renderer's own shaders; without ground, sky, shadows,
-/// leaves and multisampling, so that frames cost what the trees cost. Needs a current context as long as it lives.
+/// and leaves, so that frames cost what the trees cost. Needs a current context as long as it lives.
 class DetailStage {
  public:
   static Result<std::unique_ptr<DetailStage>> create(int width, int height);
@@ -21,9 +21,10 @@ class DetailStage {
   DetailStage& operator=(const DetailStage&) = delete;
 
   Status setContent(const SceneContent& content);
-  /// Draws a frame with these matrices, one a link, and waits for it; returns the milliseconds of both.
-  double draw(const View& view, std::span<const mat4> bones, bool adaptive);
-  /// What was drawn: alpha is 255 where a tree is, and 0 elsewhere.
+  /// Draws a frame with these matrices, one a link, and waits for it; returns the milliseconds of both. `smooth`: with
+  /// the renderer's samples a pixel, resolved.
+  double draw(const View& view, std::span<const mat4> bones, bool adaptive, bool smooth = false);
+  /// What was drawn: alpha is the share of a pixel where a tree is.
   Picture read() const;
   /// Of the last adaptive frame.
   DetailCounts counts() const;

@@ -36,9 +36,9 @@ render::View viewAt(const Path& path, int frame, int frames) {
   return view;
 }
 
-int barkPixels(const render::Picture& picture) {
-  int count = 0;
-  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) count += picture.rgba[i] > 127 ? 1 : 0;
+double barkPixels(const render::Picture& picture) {
+  double count = 0;
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) count += picture.rgba[i] / 255.0;
   return count;
 }
 
@@ -118,19 +118,19 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
       runner.pictures.assign(runner.times.size(), {});
       runner.vertices = runner.triangles = 0;
     }
-    // The first round compiles shaders and touches memory; it does not count.
+    // The first round gives the pictures, in the renderer's quality; it compiles shaders and does not count.
     for (int round = 0; round <= options.rounds; ++round) {
       for (int frame = 0; frame < options.frames; ++frame) {
         const auto bones = scene.pose(static_cast<float>(frame) / 24);
         const render::View view = viewAt(path, frame, options.frames);
         for (std::size_t m = 0; m < kMeshes.size(); ++m) {
           Runner& runner = runners[m];
-          const double time = runner.stage->draw(view, bones, kMeshes[m] == BenchMesh::Adaptive);
+          const bool adaptive = kMeshes[m] == BenchMesh::Adaptive;
+          const double time = runner.stage->draw(view, bones, adaptive, round == 0);
           double& least = runner.times[static_cast<std::size_t>(frame)];
           if (round > 0) least = std::min(least, time);
           if (round > 0) continue;
           runner.pictures[static_cast<std::size_t>(frame)] = runner.stage->read();
-          const bool adaptive = kMeshes[m] == BenchMesh::Adaptive;
           const render::DetailCounts counts = runner.stage->counts();
           runner.vertices += static_cast<double>(adaptive ? counts.vertices : drawnVertices(scene, kMeshes[m], false));
           runner.triangles += static_cast<double>(adaptive ? counts.triangles : drawnVertices(scene, kMeshes[m], true));

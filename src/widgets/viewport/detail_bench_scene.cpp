@@ -89,8 +89,11 @@ BenchPlant makeBenchPlant(model::SkeletonGraph graph, float tolerance) {
     const float pieces = std::clamp(std::ceil(std::sqrt(sag / tolerance)), 1.0f, 8.0f);
     return Counts{static_cast<std::uint32_t>(sides), static_cast<std::uint32_t>(pieces)};
   });
+  // Seats, collars and tips as in the program; a foot that the others do not have would tell them apart.
+  model::RingSettings full;
+  full.flare = 0;
   plant.adaptive =
-      std::make_shared<DetailMesh>(makeDetail(graph, chains, curves, makeRings(graph, chains, curves), {}));
+      std::make_shared<DetailMesh>(makeDetail(graph, chains, curves, makeRings(graph, chains, curves, full), {}));
   plant.graph = std::move(graph);
   return plant;
 }

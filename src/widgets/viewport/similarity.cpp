@@ -7,6 +7,7 @@ namespace windfall::widgets {
 namespace {
 
 constexpr int kWindow = 8, kStep = 4;
+constexpr float kBehind = 212;  // brightness of a clear sky
 
 std::vector<float> brightness(const render::Picture& picture) {
   std::vector<float> out(picture.rgba.size() / 4);
@@ -14,7 +15,8 @@ std::vector<float> brightness(const render::Picture& picture) {
     const std::uint8_t* p = &picture.rgba[4 * i];
     const float sum =
         0.299f * static_cast<float>(p[0]) + 0.587f * static_cast<float>(p[1]) + 0.114f * static_cast<float>(p[2]);
-    out[i] = sum * static_cast<float>(p[3]) / 255;
+    const float alpha = static_cast<float>(p[3]) / 255;
+    out[i] = sum + kBehind * (1 - alpha);
   }
   return out;
 }
