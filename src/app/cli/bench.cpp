@@ -17,22 +17,25 @@
 #include "model/leaf/quality_bench.h"
 #include "model/leaf/texture_bench.h"
 #include "sim/bench.h"
+#include "widgets/viewport/detail_bench.h"
 
 namespace windfall::app {
 
 namespace {
 
 struct BenchOptions {
-  std::string filter, json, photos, method;
+  std::string filter, json, photos, method, pictures;
   int rounds = 7, pairs = 6;
 };
 
-/// `json` without its last brace, and the rows of the quality beside the times.
-std::string withQuality(std::string json, const std::vector<model::QualityRow>& rows) {
+/// `json` without its last brace, and rows of another kind beside the times.
+template <class Row>
+std::string withRows(std::string json, const char* name, const std::vector<Row>& rows,
+                     std::string (*text)(const Row&)) {
   json.resize(json.rfind('}'));
   while (!json.empty() && json.back() == '\n') json.pop_back();
-  json += ",\n  \"quality\": [";
-  for (std::size_t i = 0; i < rows.size(); ++i) json += (i ? ",\n    " : "\n    ") + model::qualityJson(rows[i]);
+  json += std::string(",\n  \"") + name + "\": [";
+  for (std::size_t i = 0; i < rows.size(); ++i) json += (i ? ",\n    " : "\n    ") + text(rows[i]);
   return json + "\n  ]\n}\n";
 }
 
@@ -72,6 +75,11 @@ bool runCompanion(const QString& program, const BenchOptions& options, std::vect
   return true;
 }
 
+void sayLine(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
 int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
   std::vector<sim::Benchmark> benchmarks;
@@ -101,19 +109,25 @@ int bench(const BenchOptions& options) {
     any = true;
     InterruptProgress progress;
     const QString photos = options.photos.empty() ? qEnvironmentVariable("WINDFALL_PHOTOS") : text(options.photos);
-    rows = model::benchQuality(
-        {photos, options.method, 4, options.pairs, 512},
-        [](const std::string& line) {
-          std::printf("%s\n", line.c_str());
-          std::fflush(stdout);
-        },
-        progress);
+    rows = model::benchQuality({photos, options.method, 4, options.pairs, 512}, sayLine, progress);
     if (progress.cancelled()) return fail(QString(), Error{"cancelled", true});
+  }
+  std::vector<widgets::DetailBenchRow> flight;
+  if (std::string("plant.detail").find(options.filter) != std::string::npos) {
+    any = true;
+    sayLine("plant.detail: a flight through 50 plants, 1280 x 720, wood alone");
+    widgets::DetailBenchOptions flightOptions;
+    flightOptions.rounds = std::min(options.rounds, flightOptions.rounds);
+    flightOptions.pictures = options.pictures;
+    Result<std::vector<widgets::DetailBenchRow>> flown = widgets::benchDetail(flightOptions, sayLine);
+    if (!flown) return fail(QString(), flown.error());
+    flight = std::move(*flown);
   }
   if (!any) return fail(QString(), QStringLiteral("no benchmark has a name with \"%1\"").arg(text(options.filter)));
   if (options.json.empty()) return 0;
   QSaveFile file(text(options.json));
-  const std::string json = withQuality(sim::benchmarkJson(results), rows);
+  const std::string json = withRows(withRows(sim::benchmarkJson(results), "quality", rows, model::qualityJson),
+                                    "detail", flight, widgets::detailJson);
   const bool written =
       file.open(QIODevice::WriteOnly) && file.write(json.data(), static_cast<qint64>(json.size())) >= 0;
   return written && file.commit() ? 0 : fail(text(options.json), file.errorString());
@@ -133,6 +147,7 @@ void declareBench(CLI::App& app, Action& action) {
   command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command->add_option("--pictures", options->pictures, "plant.detail: keep its frames in this folder");
   command->add_option("--rounds", options->rounds, "Rounds that each contender runs")->check(CLI::Range(1, 1000));
   command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }

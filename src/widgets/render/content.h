@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "kernels/detail_data.h"
 #include "kernels/math.h"
 
 namespace windfall::render {
@@ -50,6 +52,7 @@ struct Mesh {
 struct TreeDraw {
   int mesh = 0;
   std::uint32_t firstLink = 0, linkCount = 0;
+  int detail = -1;  ///< adaptive mesh that stands for the wood of `mesh`, -1: none
 };
 
 /// A corner of a flat leaf; lengths in leaf lengths from the petiole's end.
@@ -98,6 +101,7 @@ struct LeafLayer {
 
 struct SceneContent {
   std::vector<Mesh> meshes;
+  std::vector<std::shared_ptr<const DetailMesh>> details;
   std::vector<TreeDraw> trees;
   std::vector<LeafLayer> leafLayers;
   std::size_t linkCount = 0, leafCount = 0;

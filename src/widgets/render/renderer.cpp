@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "widgets/render/detail_pass.h"
 #include "widgets/render/frame_ring.h"
 #include "widgets/render/frame_uniforms.h"
 #include "widgets/render/gl_object.h"
@@ -29,6 +30,7 @@ constexpr int kGrassRings = 3, kGrassCells = 80, kGrassBlades = 5;  // as in gra
 struct Renderer::Impl {
   FrameRing ring;
   TreePass trees;
+  DetailPass detail;
   LeafPass leaves;
   PictureTarget target;
   ShadowMap shadow;
@@ -50,7 +52,8 @@ struct Renderer::Impl {
   void makeHighlights(std::size_t linkCount);
   void updateLinkColors(const View& view);
   void makeLinkColors();
-  void drawShadows(const ShadowFit& fit);
+  void chooseDetail(const View& view, const ShadowFit& fit);
+  void drawShadows(const View& view, const ShadowFit& fit);
   void drawPicture(const View& view);
   void drawPresent(const View& view, unsigned framebuffer);
   int shadowSize(Quality quality) const;
@@ -73,7 +76,7 @@ Status Renderer::Impl::compile() {
         link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
         link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
         link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
-        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), leaves.compile()}) {
+        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile()}) {
     if (!status) return status;
   }
   return ok();
@@ -135,7 +138,16 @@ void Renderer::Impl::bindFrame() const {
   }
 }
 
-void Renderer::Impl::drawShadows(const ShadowFit& fit) {
+void Renderer::Impl::chooseDetail(const View& view, const ShadowFit& fit) {
+  const int slot = ring.newest();
+  if (slot < 0 || !view.adaptive || detail.empty()) return;
+  const std::span<const mat4> bones = ring.slot(slot).bones;
+  const float tolerance = view.quality == Quality::High ? 0.5f * view.tolerance : view.tolerance;
+  detail.choose(DetailPass::Target::Shadow, shadowDetailCamera(fit.texel), bones);
+  detail.choose(DetailPass::Target::Picture, detailCamera(view, tolerance), bones);
+}
+
+void Renderer::Impl::drawShadows(const View& view, const ShadowFit& fit) {
   glBindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffer());
   glViewport(0, 0, shadow.size(), shadow.size());
   glDepthFunc(GL_LESS);
@@ -145,7 +157,8 @@ void Renderer::Impl::drawShadows(const ShadowFit& fit) {
   if (slot < 0) return;
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.2f, 1.f);
-  counts.calls += trees.drawShadow(fit.toClip);
+  counts.calls += trees.drawShadow(fit.toClip, view.adaptive);
+  if (view.adaptive) counts.calls += detail.drawShadow(fit.toClip);
   counts.calls += leaves.drawShadow(fit.toClip);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -162,7 +175,8 @@ void Renderer::Impl::drawPicture(const View& view) {
   glBindTextureUnit(2, shadow.texture());
   // Front to back: the ground and the sky fill only what the tree leaves open.
   if (const int slot = ring.newest(); slot >= 0) {
-    counts.calls += trees.draw(high);
+    counts.calls += trees.draw(high, view.adaptive);
+    if (view.adaptive) counts.calls += detail.draw(high);
     counts.leafCalls = leaves.draw(high);
     counts.calls += counts.leafCalls;
   }
@@ -216,10 +230,12 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
 Status Renderer::setContent(const SceneContent& content) {
   impl_->extent.reset();
   Status status = impl_->trees.setContent(content);
+  if (status) status = impl_->detail.setContent(content);
   if (status) status = impl_->leaves.setContent(content);
   if (status) status = impl_->ring.allocate(content.linkCount, content.leafCount);
   if (!status) {
     static_cast<void>(impl_->trees.setContent({}));
+    static_cast<void>(impl_->detail.setContent({}));
     static_cast<void>(impl_->leaves.setContent({}));
     static_cast<void>(impl_->ring.allocate(0, 0));
   }
@@ -270,7 +286,8 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
     impl.leaves.sort(impl.ring.leaves(), impl.ring.leafOffset(slot),
                      {uniforms.viewProjection, view.eye, static_cast<float>(view.height) / radians}, view.season);
   }
-  impl.drawShadows(fit);
+  impl.chooseDetail(lit, fit);
+  impl.drawShadows(lit, fit);
   impl.drawPicture(view);
   impl.drawPresent(view, framebuffer);
   if (impl.counts.slot >= 0) impl.ring.fence(impl.counts.slot);

@@ -14,7 +14,7 @@ namespace windfall::render {
 Result<Program> linkProgram(const std::string& vertex, const std::string& fragment,
                             const std::vector<std::string>& defines = {});
 
-/// Links a compute shader.
+/// Links a compute shader of resources/shaders.
 Result<Program> linkCompute(const std::string& name, const std::vector<std::string>& defines = {});
 
 /// The same from a text of its own; `name` stands for it in errors.

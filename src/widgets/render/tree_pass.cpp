@@ -133,6 +133,9 @@ Status TreePass::setContent(const SceneContent& content) {
     if (firstLinks.empty() || content.meshes[m].vertices.empty() || content.meshes[m].indices.empty()) continue;
     if (const Status uploaded = upload(content.meshes[m], firstLinks, meshes[m]); !uploaded) return uploaded;
   }
+  for (const TreeDraw& tree : content.trees) {
+    meshes[static_cast<std::size_t>(tree.mesh)].detailed = tree.detail >= 0;
+  }
   meshes_ = std::move(meshes);
   trees_ = content.trees;
   return ok();
@@ -174,13 +177,14 @@ Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firs
   return ok();
 }
 
-int TreePass::draw(bool highQuality) const {
+int TreePass::draw(bool highQuality, bool adaptive) const {
   int calls = 0;
   for (const GpuMesh& mesh : meshes_) {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
+      if (adaptive && mesh.detailed && !material.foliage) continue;
       const bool pictured = material.picture >= 0;
       glUseProgram((material.foliage ? foliage_ : wood_)[highQuality ? 1 : 0].id());
       if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
@@ -200,7 +204,7 @@ int TreePass::draw(bool highQuality) const {
   return calls;
 }
 
-int TreePass::drawShadow(const mat4& lightMatrix) const {
+int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive) const {
   int calls = 0;
   glUseProgram(shadow_.id());
   glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
@@ -209,6 +213,7 @@ int TreePass::drawShadow(const mat4& lightMatrix) const {
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
+      if (adaptive && mesh.detailed && !material.foliage) continue;
       const bool tested = material.foliage && material.picture >= 0;
       if (tested) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
       glUniform1f(1, tested ? 1.f : 0.f);

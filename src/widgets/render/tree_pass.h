@@ -21,9 +21,9 @@ class TreePass {
   Status compile();
   /// Uploads meshes and pictures; checks every index and link.
   Status setContent(const SceneContent& content);
-  /// Draw calls made. The frame's uniforms, bones (storage 0) and highlights (storage 1) are bound by the caller.
-  int draw(bool highQuality) const;
-  int drawShadow(const mat4& lightMatrix) const;
+  /// Draw calls made; `adaptive` leaves out the wood that adaptive meshes stand for. The frame's uniforms, bones (storage 0) and highlights (storage 1) are bound by the caller.
+  int draw(bool highQuality, bool adaptive = false) const;
+  int drawShadow(const mat4& lightMatrix, bool adaptive = false) const;
   const std::vector<TreeDraw>& trees() const { return trees_; }
   /// Of a mesh at rest.
   const Bounds& bounds(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)].bounds; }
@@ -36,6 +36,7 @@ class TreePass {
     std::vector<Material> materials;
     std::vector<Texture> pictures;
     GLsizei instanceCount = 0;
+    bool detailed = false;  ///< its wood has an adaptive mesh
     Bounds bounds;
   };
   static Status upload(const Mesh& mesh, const std::vector<std::uint32_t>& firstLinks, GpuMesh& out);

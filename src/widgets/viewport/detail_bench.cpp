@@ -1,0 +1,170 @@
+#include "widgets/viewport/detail_bench.h"
+
+#include <QDir>
+#include <QImage>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "model/plant/sample_skeleton.h"
+#include "widgets/render/detail_stage.h"
+#include "widgets/render/offscreen_context.h"
+#include "widgets/viewport/detail_bench_scene.h"
+#include "widgets/viewport/similarity.h"
+
+namespace windfall::widgets {
+
+namespace {
+
+constexpr std::array kMeshes{BenchMesh::Uniform, BenchMesh::Bounded, BenchMesh::Adaptive};
+constexpr std::array kNames{"uniform 16 x 8", "error bound at 1 m", "adaptive"};
+constexpr float kFieldOfView = 0.7f;
+
+struct Path {
+  const char* name;
+  float from, to;  ///< m before the first row
+};
+
+render::View viewAt(const Path& path, int frame, int frames) {
+  const float share = frames > 1 ? static_cast<float>(frame) / static_cast<float>(frames - 1) : 0;
+  const float distance = path.from + (path.to - path.from) * share;
+  render::View view;
+  view.eye = {0.3f, 0.55f + 0.03f * distance, distance};
+  view.target = {0.0f, 0.42f, 0.0f};
+  view.fieldOfView = kFieldOfView;
+  return view;
+}
+
+double barkPixels(const render::Picture& picture) {
+  double count = 0;
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) count += picture.rgba[i] / 255.0;
+  return count;
+}
+
+std::size_t drawnVertices(const BenchScene& scene, BenchMesh mesh, bool triangles) {
+  std::size_t count = 0;
+  for (int i = 0; i < scene.trees; ++i) {
+    const BenchPlant& plant = scene.plants[static_cast<std::size_t>(i) % scene.plants.size()];
+    const render::Mesh& drawn = mesh == BenchMesh::Uniform ? plant.uniform : plant.bounded;
+    count += triangles ? drawn.indices.size() / 3 : drawn.vertices.size();
+  }
+  return count;
+}
+
+/// A mesh that is ready to be drawn, and what its frames gave.
+struct Runner {
+  std::unique_ptr<render::DetailStage> stage;
+  std::vector<double> times;
+  std::vector<render::Picture> pictures;
+  double vertices = 0, triangles = 0;
+};
+
+Status keepPictures(const std::string& folder, const Path& path, int mesh, const Runner& runner) {
+  const QDir dir(QString::fromStdString(folder));
+  if (!dir.mkpath(QStringLiteral("."))) return Error{folder + ": cannot make this folder"};
+  for (std::size_t i = 0; i < runner.pictures.size(); ++i) {
+    const render::Picture& p = runner.pictures[i];
+    const QImage image(p.rgba.data(), p.width, p.height, p.width * 4, QImage::Format_RGBA8888);
+    const QString name = QStringLiteral("%1_%2_%3.png").arg(path.name).arg(mesh).arg(i, 2, 10, QLatin1Char('0'));
+    if (!image.save(dir.filePath(name))) return Error{folder + ": cannot write " + name.toStdString()};
+  }
+  return ok();
+}
+
+DetailBenchRow rowOf(const Path& path, const char* name, const Runner& runner, const Runner& finest) {
+  DetailBenchRow row;
+  row.path = path.name;
+  row.mesh = name;
+  const auto frames = static_cast<double>(runner.times.size());
+  row.ssim = 0;
+  double pixels = 0, all = 0;
+  for (std::size_t i = 0; i < runner.times.size(); ++i) {
+    row.mean += runner.times[i] / frames;
+    row.worst = std::max(row.worst, runner.times[i]);
+    row.ssim += similarity(runner.pictures[i], finest.pictures[i]) / frames;
+    pixels += barkPixels(runner.pictures[i]);
+    all += barkPixels(finest.pictures[i]);
+  }
+  row.bark = all > 0 ? pixels / all : 0;
+  row.vertices = runner.vertices / frames;
+  row.triangles = runner.triangles / frames;
+  return row;
+}
+
+}  // namespace
+
+Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& options,
+                                                const std::function<void(const std::string&)>& say) {
+  auto context = render::OffscreenContext::create(16, 16);
+  if (!context) return context.error();
+  BenchScene scene;
+  scene.trees = options.plants;
+  const float focal = static_cast<float>(options.height) / (2 * std::tan(kFieldOfView / 2));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    scene.plants.push_back(makeBenchPlant(model::sampleSkeleton(seed), 0.5f / focal));
+  }
+  std::array<Runner, 3> runners;
+  for (std::size_t m = 0; m < kMeshes.size(); ++m) {
+    auto stage = render::DetailStage::create(options.width, options.height);
+    if (!stage) return stage.error();
+    if (const Status set = (*stage)->setContent(scene.content(kMeshes[m])); !set) return set.error();
+    runners[m].stage = std::move(*stage);
+  }
+  std::vector<DetailBenchRow> rows;
+  for (const Path& path : {Path{"near", 9, 1}, Path{"far", 40, 15}}) {
+    for (Runner& runner : runners) {
+      runner.times.assign(static_cast<std::size_t>(options.frames), 1e9);
+      runner.pictures.assign(runner.times.size(), {});
+      runner.vertices = runner.triangles = 0;
+    }
+    // The first round gives the pictures, in the renderer's quality; it compiles shaders and does not count.
+    for (int round = 0; round <= options.rounds; ++round) {
+      for (int frame = 0; frame < options.frames; ++frame) {
+        const auto bones = scene.pose(static_cast<float>(frame) / 24);
+        const render::View view = viewAt(path, frame, options.frames);
+        for (std::size_t m = 0; m < kMeshes.size(); ++m) {
+          Runner& runner = runners[m];
+          const bool adaptive = kMeshes[m] == BenchMesh::Adaptive;
+          const double time = runner.stage->draw(view, bones, adaptive, round == 0);
+          double& least = runner.times[static_cast<std::size_t>(frame)];
+          if (round > 0) least = std::min(least, time);
+          if (round > 0) continue;
+          runner.pictures[static_cast<std::size_t>(frame)] = runner.stage->read();
+          const render::DetailCounts counts = runner.stage->counts();
+          runner.vertices += static_cast<double>(adaptive ? counts.vertices : drawnVertices(scene, kMeshes[m], false));
+          runner.triangles += static_cast<double>(adaptive ? counts.triangles : drawnVertices(scene, kMeshes[m], true));
+        }
+      }
+    }
+    for (std::size_t m = 0; m < kMeshes.size(); ++m) {
+      if (!options.pictures.empty()) {
+        const Status kept = keepPictures(options.pictures, path, static_cast<int>(m), runners[m]);
+        if (!kept) return kept.error();
+      }
+      rows.push_back(rowOf(path, kNames[m], runners[m], runners[0]));
+      const DetailBenchRow& row = rows.back();
+      const DetailBenchRow& first = rows[rows.size() - 1 - m];
+      char line[200];
+      std::snprintf(line, sizeof line,
+                    "  %-5s %-19s %8.2f ms  worst %8.2f  %9.0f vertices %9.0f triangles  bark %.3f  SSIM %.4f  %.1f x",
+                    row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark,
+                    row.ssim, first.mean / row.mean);
+      say(line);
+    }
+  }
+  for (Runner& runner : runners) runner.stage.reset();
+  return rows;
+}
+
+std::string detailJson(const DetailBenchRow& row) {
+  char text[400];
+  std::snprintf(
+      text, sizeof text,
+      R"({"path": "%s", "mesh": "%s", "milliseconds": %.4g, "worst": %.4g, "vertices": %.0f, "triangles": %.0f, )"
+      R"("bark": %.5f, "ssim": %.5f})",
+      row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark, row.ssim);
+  return text;
+}
+
+}  // namespace windfall::widgets
