@@ -11,9 +11,9 @@
 #include "model/export/leaf_folder.h"
 #include "model/leaf/marker_image.h"
 #include "model/leaf/stages.h"
-#include "model/presets/preset.h"
 #include "model/leaf/variant.h"
 #include "model/leaf/vein_tracing.h"
+#include "model/presets/preset.h"
 #include "model/progress_part.h"
 
 namespace windfall::app {

@@ -52,7 +52,8 @@ int plantInfo(const QString& path) {
 }  // namespace
 
 void declarePlant(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("plant", "Look into a plant file, grow a plant, or write it in another format");
+  CLI::App* command =
+      app.add_subcommand("plant", "Look into a plant file, grow a plant, or write it in another format");
   auto file = std::make_shared<std::string>(), output = std::make_shared<std::string>();
   command->add_option("FILE", *file, "Plant: .fbx, .glb, .gltf, .prim or .json; to write, a project too");
   auto info = std::make_shared<bool>(false);

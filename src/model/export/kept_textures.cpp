@@ -32,10 +32,9 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
     // A variant that knows its own places stays right when the leaf's marks are edited after it was made; one of
     // another shape has veins of its own, which were not kept.
     const bool sameShape = variant.root.value_or(root) == root && variant.tip.value_or(tip) == tip;
-    LeafTexture texture = uprightTexture(
-        QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')), variant.image,
-        variant.root.value_or(root), variant.tip.value_or(tip), stages->bladeLength,
-        sameShape ? variantVeins(*stages, size) : Veins());
+    LeafTexture texture = uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
+                                         variant.image, variant.root.value_or(root), variant.tip.value_or(tip),
+                                         stages->bladeLength, sameShape ? variantVeins(*stages, size) : Veins());
     if (const Status dressed = dressTexture(texture, leaf.parameters, variant.seed); !dressed) return dressed.error();
     textures.push_back(std::move(texture));
   }

@@ -18,8 +18,8 @@
 #include "widgets/plant/motion_plot.h"
 #include "widgets/plant/plant_export_dialog.h"
 #include "widgets/plant/plant_settings.h"
-#include "widgets/plant/surface_panel.h"
 #include "widgets/plant/plant_shaping.h"
+#include "widgets/plant/surface_panel.h"
 #include "widgets/scene/transport.h"
 #include "widgets/viewport/camera_json.h"
 

@@ -160,9 +160,8 @@ void GrowLSystemTest::stochasticRulesFollowTheirWeights() {
 
 void GrowLSystemTest::aChoiceDependsOnItsPathAlone() {
   // The second branch draws the same whatever the first one holds.
-  const char* rules = "\nA ; 1 -> B\nA ; 1 -> C\n";
-  const LSystem small = parsed((std::string("axiom: [A]Q") + rules + "Q -> [AAAA]").c_str());
-  const LSystem large = parsed((std::string("axiom: [A]Q") + rules + "Q -> [AAAA]\nB -> DDDD\nC -> DDDD").c_str());
+  const LSystem small = parsed("axiom: [A]Q\nA ; 1 -> B\nA ; 1 -> C\nQ -> [AAAA]");
+  const LSystem large = parsed("axiom: [A]Q\nA ; 1 -> B\nA ; 1 -> C\nQ -> [AAAA]\nB -> DDDD\nC -> DDDD");
   const std::string a = namesOf(small, derived(small, 2, 3).modules), b = namesOf(large, derived(large, 2, 3).modules);
   QCOMPARE(a.substr(a.rfind('[')), b.substr(b.rfind('[')));
 }

@@ -148,7 +148,9 @@ void PresetTest::sharedFilesAreImportedOrRefusedInOneLine() {
   PresetLibrary library(folder.filePath("own"));
   LeafParameters leaf;
   leaf.epsilon = 3.5;
-  leaf.veins = {77, 3, 40, 30, 5};
+  leaf.veins.seed = 77;
+  leaf.veins.laterals = 3;
+  leaf.veins.basalAngle = 40;
   leaf.maps.gloss = 0.9;
   leaf.ageing = {0.8, 4, 0.2, 0.6, 0.9};
   const QString shared = folder.filePath("linden.json");
