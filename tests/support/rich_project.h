@@ -42,8 +42,21 @@ inline model::Project richProject() {
   leaf.veins = {{1, -1, {{1, 2}, {3.7, 4.1}}, 4.2, 0.7}, {2, 0, {{5, 6}, {7, 8}, {9, 1e-9}}, 2, 1}};
   leaf.markers = {{3, 4}, {5.5, 6.25}};
   leaf.bladeLength = 0.123456789012345;
-  leaf.parameters = {2.5, {18446744073709551615ULL, 11, 70.1, 30.2, 5}, {2, 5, 9}, {false, 512, 1000, 5, 0.1}};
-  leaf.variants = {{9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2)},
+  leaf.tips = {{2, 29.5}, {0.1, 20}};
+  leaf.ruler = {QPointF(1, 1.5), QPointF(30, 2), 0.17};
+  leaf.examples = {{4}};
+  leaf.regionPairs = {{{3, 4}, {4}, {5, 6.5}}, {{7, 8}, {}, {9, 10}}};
+  LeafParameters& parameters = leaf.parameters;
+  parameters.mask.keepHoles = false;
+  parameters.epsilon = 2.5;
+  parameters.shape = {true, 0.2, 0.3, 0.05, 0.01, 31, 2, 3};
+  parameters.veins = {18446744073709551615ULL, true, 0.01, 5, 11, 70.1, 30.2, 5, 0.1, 0.7, 0.5, false, false, true,
+                      true, false, 0.03};
+  parameters.costs = {2, 5, 9};
+  parameters.regions = {false, 0.4, true, 12};
+  parameters.synthesis = {false, 512, 1000, 5, 0.1};
+  leaf.variants = {{9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2),
+                    QPointF(8, 22), QPointF(9.5, 1)},
                    {7, true, QImage()}};
   Leaf bare;
   bare.id = {4};

@@ -2,12 +2,15 @@
 #include <QFileInfo>
 #include <QImageReader>
 #include <QStringList>
+#include <cmath>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
 #include "model/export/leaf_folder.h"
 #include "model/leaf/marker_image.h"
 #include "model/leaf/stages.h"
+#include "model/leaf/variant.h"
+#include "model/leaf/vein_tracing.h"
 #include "model/progress_part.h"
 
 namespace windfall::app {
@@ -15,7 +18,8 @@ namespace windfall::app {
 namespace {
 
 struct LeafOptions {
-  std::string photo, output, mask, root, markers, mode = "guided";
+  std::string photo, output, mask, veins, root, markers, ruler, mode = "guided";
+  bool fillHoles = false, photoVeins = false, vary = false;
   std::vector<std::string> examples;
   int variants = 2;
   int size = 1024;
@@ -44,6 +48,17 @@ Result<QImage> readMarks(const QString& path, QSize wanted) {
   return image->convertToFormat(QImage::Format_Grayscale8);
 }
 
+/// Every number of "X,Y,…"; empty where one is none.
+std::vector<double> numbersOf(const std::string& value) {
+  std::vector<double> numbers;
+  for (const QString& part : text(value).split(',')) {
+    bool good = false;
+    numbers.push_back(part.toDouble(&good));
+    if (!good || !std::isfinite(numbers.back())) return {};
+  }
+  return numbers;
+}
+
 /// The leaf asset that the options describe; `failure` says why there is none.
 bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failure) {
   const QString photo = text(options.photo);
@@ -58,6 +73,13 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   leaf.parameters.synthesis.size = options.size;
   leaf.parameters.synthesis.guided = options.mode == "guided";
   leaf.parameters.veins.seed = options.seed;
+  leaf.parameters.veins.fromPhoto = options.photoVeins;
+  leaf.parameters.mask.keepHoles = !options.fillHoles;
+  leaf.parameters.shape.vary = options.vary;
+  if (!options.ruler.empty()) {
+    const std::vector<double> n = numbersOf(options.ruler);
+    leaf.ruler = {QPointF(n[0], n[1]), QPointF(n[2], n[3]), n[4]};
+  }
   const bool marked = !options.mask.empty() || !options.markers.empty() || !options.root.empty();
   if (!marked) return true;
   const Result<QImage> picture = model::readPhoto(leaf.photo);
@@ -82,6 +104,26 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   return true;
 }
 
+/// "X1,Y1,X2,Y2,METRES".
+std::string wrongRuler(const std::string& value) {
+  const std::vector<double> n = numbersOf(value);
+  const bool good = n.size() == 5 && n[4] > 0 && n[4] <= 1000 && (n[0] != n[2] || n[1] != n[3]);
+  return good ? std::string() : "must be two different places in pixels and the metres between them, X1,Y1,X2,Y2,M";
+}
+
+/// Veins drawn elsewhere; they need the root of the leaf.
+Result<model::Veins> readVeins(const QString& path, const model::Leaf& leaf, model::LeafStages& known,
+                               model::Progress& progress) {
+  Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Contour, progress);
+  if (!stages) return stages.error();
+  known = std::move(*stages);
+  const Result<QImage> picture = readMarks(path, known.photo.size());
+  if (!picture) return picture.error();
+  model::Veins veins = model::readVeinPicture(*picture, {known.root, known.tip, known.petiole});
+  if (veins.empty()) return Error{"no line in it"};
+  return veins;
+}
+
 /// "X,Y", two numbers.
 std::string wrongPoint(const std::string& value) {
   const QStringList parts = text(value).split(',');
@@ -99,7 +141,13 @@ int makeLeaf(const LeafOptions& options) {
   if (!describeLeaf(options, leaf, failure)) return fail(failure.file, failure.error);
 
   model::ProgressPart shape(progress, 0, 0.4);
-  const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape);
+  model::LeafStages known;
+  if (!options.veins.empty()) {
+    Result<model::Veins> veins = readVeins(text(options.veins), leaf, known, shape);
+    if (!veins) return fail(text(options.veins), veins.error());
+    leaf.veins = std::move(*veins);
+  }
+  const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape, &known);
   if (!stages) return fail(photo, stages.error());
   std::vector<model::LeafStages> examples;
   for (const std::string& file : options.examples) {
@@ -115,19 +163,18 @@ int makeLeaf(const LeafOptions& options) {
 
   model::LeafFolder folder;
   folder.stages = &*stages;
-  folder.bladeLength = leaf.bladeLength;
+  folder.bladeLength = stages->bladeLength;
   for (int i = 0; i < options.variants; ++i) {
     QElapsedTimer timer;
     timer.start();
     const double share = 0.5 / options.variants;
     model::ProgressPart part(progress, 0.4 + i * share, 0.4 + (i + 1) * share);
     const auto index = static_cast<size_t>(i);
-    const model::LeafStages& example = examples.empty() ? *stages : examples[index % examples.size()];
     const quint64 seed = options.seed + index;
-    Result<QImage> variant = model::synthesize(*stages, example, leaf.parameters.synthesis, seed, part);
+    Result<model::Variant> variant = model::makeVariant(*stages, examples, seed, part);
     if (!variant) return fail(photo, variant.error());
     folder.seeds.push_back(seed);
-    folder.variants.push_back(std::move(*variant));
+    folder.variants.push_back(std::move(variant->image));
     folder.variantSeconds.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
   }
   model::ProgressPart writing(progress, 0.9, 1);
@@ -143,6 +190,14 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_option("PHOTO", options->photo, "Photo that gives the shape (JPEG, PNG)")->required();
   command->add_option("-o,--output", options->output, "Folder for the pictures and numbers")->required();
   command->add_option("--mask", options->mask, "Mask in the photo's size, white leaf; found without it");
+  command->add_flag("--fill-holes", options->fillHoles, "Holes in the blade belong to the leaf");
+  command->add_option("--veins", options->veins, "Lines in the photo's size, drawn elsewhere; grown without it");
+  command->add_flag("--photo-veins", options->photoVeins, "The veins that the photo shows, instead of grown ones");
+  command->add_flag("--vary", options->vary, "Every texture gets an outline and veins of its own");
+  command
+      ->add_option("--ruler", options->ruler,
+                   "X1,Y1,X2,Y2,METRES: two places of the photo and their distance; the leaf's real size follows")
+      ->check(CLI::Validator(wrongRuler, "X1,Y1,X2,Y2,METRES"));
   command->add_option("--root", options->root, "X,Y: where the petiole meets the blade, in pixels; found without it")
       ->check(CLI::Validator(wrongPoint, "X,Y"));
   command->add_option("--markers", options->markers, "White spots in the photo's size, one a region; found without it");

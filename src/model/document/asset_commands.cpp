@@ -75,19 +75,37 @@ RemoveLeaf::RemoveLeaf(Document& document, AssetId id, const QString& text)
       wearers_.emplace_back(plant.id, plant.leaves);
     }
   }
+  for (const Leaf& leaf : project().leaves) {
+    const bool lends = std::find(leaf.examples.begin(), leaf.examples.end(), id) != leaf.examples.end() ||
+                       std::any_of(leaf.regionPairs.begin(), leaf.regionPairs.end(),
+                                   [id](const RegionPair& pair) { return pair.example == id; });
+    if (lends && leaf.id != id) borrowers_.push_back({leaf.id, leaf.examples, leaf.regionPairs});
+  }
 }
 
 void RemoveLeaf::redo() {
   project().leaves.erase(project().leaves.begin() + place_);
   for (const auto& [plant, leaves] : wearers_) std::erase(project().plant(plant)->leaves, id_);
+  for (const Borrower& borrower : borrowers_) {
+    Leaf& leaf = *project().leaf(borrower.id);
+    std::erase(leaf.examples, id_);
+    std::erase_if(leaf.regionPairs, [this](const RegionPair& pair) { return pair.example == id_; });
+  }
   announce({id_, Aspect::Assets, {}});
+  for (const Borrower& borrower : borrowers_) announce({borrower.id, Aspect::LeafExamples, {}});
   for (const auto& [plant, leaves] : wearers_) announce({plant, Aspect::PlantLeaves, {}});
 }
 
 void RemoveLeaf::undo() {
   project().leaves.insert(project().leaves.begin() + place_, leaf_);
   for (const auto& [plant, leaves] : wearers_) project().plant(plant)->leaves = leaves;
+  for (const Borrower& borrower : borrowers_) {
+    Leaf& leaf = *project().leaf(borrower.id);
+    leaf.examples = borrower.examples;
+    leaf.regionPairs = borrower.pairs;
+  }
   announce({id_, Aspect::Assets, {}});
+  for (const Borrower& borrower : borrowers_) announce({borrower.id, Aspect::LeafExamples, {}});
   for (const auto& [plant, leaves] : wearers_) announce({plant, Aspect::PlantLeaves, {}});
 }
 

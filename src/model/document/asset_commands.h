@@ -45,6 +45,13 @@ class RemoveLeaf : public DocumentCommand {
   Leaf leaf_;
   qsizetype place_ = 0;
   std::vector<std::pair<AssetId, std::vector<AssetId>>> wearers_;  ///< plants and all their leaves before
+  /// A leaf that takes colours from the removed one, and what it took from where before.
+  struct Borrower {
+    AssetId id;
+    std::vector<AssetId> examples;
+    std::vector<RegionPair> pairs;
+  };
+  std::vector<Borrower> borrowers_;
 };
 
 /// Removes placed trees; with `plant`, that plant too.

@@ -16,6 +16,7 @@ enum class Aspect {
   LeafVeins,
   LeafMarkers,
   LeafParameters,
+  LeafExamples,  ///< who lends colours, and which region to which
   LeafVariants,
   PlantSource,
   PlantEdits,

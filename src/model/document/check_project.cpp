@@ -42,6 +42,9 @@ QString checkLeaf(const Leaf& leaf, const QString& place) {
   if (const int vein = strayVein(leaf.veins); vein >= 0) {
     return QStringLiteral("%1.veins[%2].parent: leads nowhere").arg(place).arg(vein);
   }
+  if (leaf.ruler.from.has_value() != leaf.ruler.to.has_value()) {
+    return QStringLiteral("%1.ruler: has only one end").arg(place);
+  }
   if (leaf.mask.isNull() || leaf.photo.isEmpty()) return {};
   const QSize photo = photoSize(leaf.photo);
   if (!photo.isValid() || photo == leaf.mask.size()) return {};
@@ -66,6 +69,14 @@ QString checkProject(const Project& project) {
     leaves.insert(project.leaves[i].id);
     checkId(project.leaves[i].id, place);
     if (wrong.isEmpty()) wrong = checkLeaf(project.leaves[i], place);
+  }
+  for (size_t i = 0; i < project.leaves.size(); ++i) {
+    const auto known = [&](AssetId example, const char* list) {
+      if (!wrong.isEmpty() || !example || leaves.contains(example)) return;
+      wrong = QStringLiteral("leaves[%1].%2: there is no leaf %3").arg(i).arg(QLatin1String(list)).arg(example.value);
+    };
+    for (const AssetId example : project.leaves[i].examples) known(example, "examples");
+    for (const RegionPair& pair : project.leaves[i].regionPairs) known(pair.example, "regionPairs");
   }
   for (size_t i = 0; i < project.plants.size(); ++i) {
     const QString place = QStringLiteral("plants[%1]").arg(i);

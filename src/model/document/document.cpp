@@ -110,7 +110,12 @@ AssetId Document::insert(T asset, qsizetype place) {
   return id;
 }
 
-AssetId Document::addLeaf(Leaf leaf) { return insert(std::move(leaf), qsizetype(project_.leaves.size())); }
+AssetId Document::addLeaf(Leaf leaf) {
+  std::erase_if(leaf.examples, [this](AssetId example) { return !project_.leaf(example); });
+  std::erase_if(leaf.regionPairs,
+                [this](const RegionPair& pair) { return pair.example && !project_.leaf(pair.example); });
+  return insert(std::move(leaf), qsizetype(project_.leaves.size()));
+}
 
 AssetId Document::addPlant(Plant plant) {
   std::erase_if(plant.leaves, [this](AssetId leaf) { return !project_.leaf(leaf); });

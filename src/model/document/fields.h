@@ -69,6 +69,7 @@ class FieldWriter {
   }
   void point(const char* key, const std::optional<QPointF>& value);
   void points(const char* key, const std::vector<QPointF>& values);
+  void place(const char* key, QPointF value) { points(key, {value}); }
   void json(const char* key, const QJsonObject& value) { object_[QLatin1String(key)] = value; }
   /// Into `stem` + the file's own suffix.
   void source(const char* key, const SourceFile& file, const QString& stem);
@@ -152,6 +153,7 @@ class FieldReader {
     for (int i = 0; i < 3; ++i) v[i] = static_cast<float>(xyz[i]);
   }
   void point(const char* key, std::optional<QPointF>& value);
+  void place(const char* key, QPointF& value);
   void points(const char* key, std::vector<QPointF>& values);
   void json(const char* key, QJsonObject& value);
   void source(const char* key, SourceFile& file, const QString& stem);

@@ -123,6 +123,12 @@ void FieldReader::point(const char* key, std::optional<QPointF>& value) {
   value = read.front();
 }
 
+void FieldReader::place(const char* key, QPointF& value) {
+  std::optional<QPointF> read;
+  point(key, read);
+  if (read) value = *read;
+}
+
 void FieldReader::points(const char* key, std::vector<QPointF>& values) {
   const QJsonArray array = get(key, QJsonValue::Array).toArray();
   if (array.size() % 2 != 0) return fail(inside(key), QStringLiteral("has an x without its y"));

@@ -9,12 +9,63 @@ namespace windfall::model {
 
 /// io: a FieldWriter or a FieldReader.
 template <class Io>
+void fields(Io& io, typename Io::template Ref<MaskParameters> mask) {
+  io.flag("keepHoles", mask.keepHoles);
+}
+
+template <class Io>
 void fields(Io& io, typename Io::template Ref<VeinParameters> veins) {
   io.seed("seed", veins.seed);
+  io.flag("fromPhoto", veins.fromPhoto);
+  io.number("detail", veins.detail, 1e-6, 1);
+  io.number("mains", veins.mains, 0, 100);
   io.number("laterals", veins.laterals, 0, 1000);
   io.number("basalAngle", veins.basalAngle, -360, 360);
   io.number("apicalAngle", veins.apicalAngle, -360, 360);
   io.number("wiggle", veins.wiggle, 0, 180);
+  io.number("firstLateral", veins.firstLateral, 0, 1);
+  io.number("lastLateral", veins.lastLateral, 0, 1);
+  io.number("stagger", veins.stagger, -1, 1);
+  io.flag("leftSide", veins.leftSide);
+  io.flag("rightSide", veins.rightSide);
+  io.flag("bezier", veins.bezier);
+  io.flag("micro", veins.micro);
+  io.flag("closed", veins.closed);
+  io.number("microSpacing", veins.microSpacing, 1e-3, 1);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<ShapeParameters> shape) {
+  io.flag("vary", shape.vary);
+  io.number("aspect", shape.aspect, 0, 1);
+  io.number("asymmetry", shape.asymmetry, 0, 1);
+  io.number("lobes", shape.lobes, 0, 1);
+  io.number("teeth", shape.teeth, 0, 1);
+  io.number("toothCount", shape.toothCount, 1, 1000);
+  io.number("holes", shape.holes, 0, 1000);
+  io.number("bites", shape.bites, 0, 1000);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<RegionParameters> regions) {
+  io.flag("scaleFree", regions.scaleFree);
+  io.number("best", regions.best, 0, 1);
+  io.flag("hold", regions.hold);
+  io.seed("seed", regions.seed);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<Ruler> ruler) {
+  io.point("from", ruler.from);
+  io.point("to", ruler.to);
+  io.number("metres", ruler.metres, 1e-6, 1000);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<RegionPair> pair) {
+  io.place("target", pair.target);
+  io.seed("example", pair.example.value);
+  io.place("source", pair.source);
 }
 
 template <class Io>
@@ -35,9 +86,12 @@ void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
 
 template <class Io>
 void fields(Io& io, typename Io::template Ref<LeafParameters> parameters) {
+  io.object("mask", parameters.mask);
   io.number("epsilon", parameters.epsilon, 0, 1e5);
+  io.object("shape", parameters.shape);
   io.object("veins", parameters.veins);
   io.object("costs", parameters.costs);
+  io.object("regions", parameters.regions);
   io.object("synthesis", parameters.synthesis);
 }
 
@@ -56,6 +110,8 @@ void fields(Io& io, typename Io::template Ref<Variant> variant, const QString& e
   io.seed("seed", variant.seed);
   io.flag("keep", variant.keep);
   io.image("image", variant.image, entry, QImage::Format_RGBA8888);
+  io.point("root", variant.root);
+  io.point("tip", variant.tip);
 }
 
 template <class Io>
@@ -66,8 +122,12 @@ void fields(Io& io, typename Io::template Ref<Leaf> leaf) {
   io.source("photo", leaf.photo, folder + QStringLiteral("photo"));
   io.image("mask", leaf.mask, folder + QStringLiteral("mask.png"), QImage::Format_Grayscale8);
   io.point("root", leaf.root);
+  io.points("tips", leaf.tips);
   io.list("veins", leaf.veins, 100'000);
   io.points("markers", leaf.markers);
+  io.object("ruler", leaf.ruler);
+  io.ids("examples", leaf.examples);
+  io.list("regionPairs", leaf.regionPairs, 10'000);
   io.number("bladeLength", leaf.bladeLength, 1e-4, 100);
   io.object("parameters", leaf.parameters);
   io.list("variants", leaf.variants, 9'999, [&folder](size_t i) {

@@ -15,9 +15,12 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
   for (size_t i = 0; i < leaf.variants.size(); ++i) {
     const Variant& variant = leaf.variants[i];
     if (!wanted(variant)) continue;
+    // A variant that knows its own places stays right when the leaf's marks are edited after it was made.
+    const QSize size = variant.image.size();
     textures.push_back(uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
-                                      variant.image, stages->toVariant(stages->root, variant.image.size()),
-                                      stages->toVariant(stages->tip, variant.image.size()), leaf.bladeLength));
+                                      variant.image, variant.root.value_or(stages->toVariant(stages->root, size)),
+                                      variant.tip.value_or(stages->toVariant(stages->tip, size)),
+                                      stages->bladeLength));
   }
   return textures;
 }

@@ -13,14 +13,52 @@
 
 namespace windfall::model {
 
-/// Growth of veins by seed (leaf_textures.md, 3). Lengths are shares of the image's long side.
+/// How the mask is found where the artist gives none.
+struct MaskParameters {
+  bool keepHoles = true;  ///< places inside the blade that look like ground are holes
+  bool operator==(const MaskParameters&) const = default;
+};
+
+/// Veins that were not drawn by hand: grown by seed, or read from the photo (leaf_textures.md, 3).
 struct VeinParameters {
   quint64 seed = 1;
-  int laterals = 8;         ///< a side
-  double basalAngle = 62;   ///< degrees from the main vein at the base
-  double apicalAngle = 35;  ///< degrees at the tip
-  double wiggle = 15;       ///< degrees, largest turn of a step
+  bool fromPhoto = false;     ///< the veins that the photo shows, instead of grown ones
+  double detail = 0.004;      ///< share of the blade that a vein of the photo must serve
+  int mains = 0;              ///< main veins; 0: one for each tip that the outline shows
+  int laterals = 8;           ///< a side
+  double basalAngle = 62;     ///< degrees from the main vein at the base
+  double apicalAngle = 35;    ///< degrees at the tip
+  double wiggle = 15;         ///< degrees, largest turn of a step
+  double firstLateral = 0.06; ///< where the laterals begin, share of the main vein
+  double lastLateral = 0.86;  ///< and where they end
+  double stagger = 0.25;      ///< how far the sides are set off, share of a gap; 0: opposite, 0.5: alternate
+  bool leftSide = true, rightSide = true;  ///< which sides have laterals, seen from the root to the tip
+  bool bezier = false;        ///< each vein one Bezier curve of its steps, as in the thesis; else a B-spline
+  bool micro = false;         ///< tertiary and finer veins between them
+  bool closed = true;         ///< the finer veins meet in loops; else they end freely
+  double microSpacing = 0.02; ///< between finer veins, share of the leaf's long side
   bool operator==(const VeinParameters&) const = default;
+};
+
+/// How the outline of a new leaf differs from the photo's, by the seed of each variant. All are shares, 0: not at all.
+struct ShapeParameters {
+  bool vary = false;        ///< every variant gets an outline and veins of its own
+  double aspect = 0.12;     ///< of the width
+  double asymmetry = 0.10;  ///< of the two halves' widths against each other
+  double lobes = 0.06;      ///< of the width, in waves as long as lobes
+  double teeth = 0;         ///< of the width, as teeth along the margin
+  int toothCount = 24;      ///< a side
+  int holes = 0, bites = 0; ///< at most so many, eaten inside and at the margin
+  bool operator==(const ShapeParameters&) const = default;
+};
+
+/// How regions of the example are chosen for those of the target (leaf_textures.md, 5).
+struct RegionParameters {
+  bool scaleFree = true;  ///< areas compared as a ratio of shares; false: in pixels, as in the thesis
+  double best = 0.2;      ///< share of the example's regions, by similarity, that one is drawn from
+  bool hold = false;      ///< the same choice for every variant, by `seed`; only colours are drawn again
+  quint64 seed = 1;
+  bool operator==(const RegionParameters&) const = default;
 };
 
 /// Costs of a step of the structural distance (leaf_textures.md, 4).
@@ -41,9 +79,12 @@ struct SynthesisParameters {
 };
 
 struct LeafParameters {
+  MaskParameters mask;
   double epsilon = 0;  ///< RDP tolerance in px; 0: 1/256 of the long side
+  ShapeParameters shape;
   VeinParameters veins;
   DistanceCosts costs;
+  RegionParameters regions;
   SynthesisParameters synthesis;
   bool operator==(const LeafParameters&) const = default;
 };
@@ -53,7 +94,24 @@ struct Variant {
   quint64 seed = 0;
   bool keep = true;  ///< goes into the atlas and onto the trees
   QImage image;      ///< RGBA, straight alpha, photo orientation
+  std::optional<QPointF> root, tip;  ///< px of the image; absent: where the leaf's own stages have them
   bool operator==(const Variant&) const = default;
+};
+
+/// Two places of the photo whose distance is known: the leaf's real size follows.
+struct Ruler {
+  std::optional<QPointF> from, to;  ///< px
+  double metres = 0.1;              ///< between them
+  bool isSet() const { return from && to && *from != *to; }
+  bool operator==(const Ruler&) const = default;
+};
+
+/// By hand: the region of the target at one place takes its colours from the region of an example at another.
+struct RegionPair {
+  QPointF target;   ///< px of this leaf's photo
+  AssetId example;  ///< 0: this leaf itself
+  QPointF source;   ///< px of the example's photo
+  bool operator==(const RegionPair&) const = default;
 };
 
 /// Marks that are empty are found automatically from what stands above them.
@@ -63,9 +121,13 @@ struct Leaf {
   SourceFile photo;
   QImage mask;                   ///< Grayscale8 of the photo's size, white leaf; null: automatic
   std::optional<QPointF> root;   ///< where the petiole meets the blade, px
-  Veins veins;                   ///< drawn by hand; empty: grown
+  std::vector<QPointF> tips;     ///< where the main veins end, px; the first is the tip; empty: automatic
+  Veins veins;                   ///< drawn by hand; empty: by the parameters
   std::vector<QPointF> markers;  ///< region markers, px; empty: automatic
+  Ruler ruler;                   ///< wins over bladeLength
   double bladeLength = 0.08;     ///< m, root to tip
+  std::vector<AssetId> examples;         ///< leaves that lend their colours, variants in turn; empty: this one
+  std::vector<RegionPair> regionPairs;   ///< choices of regions made by hand
   LeafParameters parameters;
   std::vector<Variant> variants;
   bool operator==(const Leaf&) const = default;

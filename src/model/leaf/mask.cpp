@@ -240,7 +240,38 @@ void fillFalseHoles(const cv::Mat1f& field, float level, cv::Mat1b& mask) {
 
 }  // namespace
 
-Result<QImage> automaticMask(const QImage& photo, Progress& progress) {
+QImage bareMask(const QImage& photo) {
+  cv::Mat1b gray(photo.height(), photo.width());
+  qint64 between = 0, border = 0, whiteBorder = 0;
+  const cv::Mat4b pixels = rgbaView(photo);
+  for (int y = 0; y < gray.rows; ++y) {
+    for (int x = 0; x < gray.cols; ++x) {
+      const cv::Vec4b& p = pixels(y, x);
+      if (p[3] < 255 || std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]}) > 2) return {};
+      gray(y, x) = p[1] > 127 ? 255 : 0;
+      between += p[1] > 8 && p[1] < 247;
+      if (x > 0 && y > 0 && x + 1 < gray.cols && y + 1 < gray.rows) continue;
+      ++border;
+      whiteBorder += p[1] > 127;
+    }
+  }
+  const auto total = static_cast<double>(gray.total());
+  const double white = cv::countNonZero(gray) / total;
+  if (static_cast<double>(between) > 0.02 * total || white < 0.002 || white > 0.998) return {};
+  if (2 * whiteBorder > border) gray = ~gray;
+  return toGray(gray);
+}
+
+namespace {
+
+/// Fills every hole of the mask.
+void fillHoles(cv::Mat1b& mask) {
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::drawContours(mask, outlines, -1, 255, cv::FILLED);
+}
+
+Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   if (photo.hasAlphaChannel()) {
     std::vector<cv::Mat1b> channels;
     cv::split(rgbaView(photo), channels);
@@ -249,6 +280,7 @@ Result<QImage> automaticMask(const QImage& photo, Progress& progress) {
     if (covered < 16) return Error{"no leaf found: the picture is transparent"};
     if (covered < 0.98 * photo.width() * photo.height()) return toGray(opaque);
   }
+  if (QImage bare = bareMask(photo); !bare.isNull()) return bare;
   const double scale = std::min(1.0, static_cast<double>(kWorkSide) / std::max(photo.width(), photo.height()));
   const cv::Mat3f full = toLab(photo);
   cv::Mat3f lab;
@@ -311,6 +343,16 @@ Result<QImage> automaticMask(const QImage& photo, Progress& progress) {
   fillFalseHoles(field, best->threshold + 0.25f * static_cast<float>(best->contrast), mask);
   progress.report(1);
   return toGray(mask);
+}
+
+}  // namespace
+
+Result<QImage> automaticMask(const QImage& photo, const MaskParameters& parameters, Progress& progress) {
+  Result<QImage> mask = foundMask(photo, progress);
+  if (!mask || parameters.keepHoles) return mask;
+  cv::Mat1b filled = grayView(*mask).clone();
+  fillHoles(filled);
+  return toGray(filled);
 }
 
 }  // namespace windfall::model

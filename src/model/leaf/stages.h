@@ -60,8 +60,11 @@ struct LeafStages {
   std::vector<QPointF> markers;  ///< in photo pixels, those that were used
   LeafStructure grown;           ///< by the veins of this asset: the shape of new textures
   LeafStructure seen;            ///< by the veins that the photo shows: where colours come from (Stage::Superpixels)
+  double bladeLength = 0.08;     ///< m, root to tip: by the ruler where there is one
+  Leaf made;                     ///< what all this was computed from, but for its variants
   Stage reached = Stage::Photo;
-  std::map<QString, double> seconds;  ///< wall clock of each stage by name
+  std::map<QString, double> seconds;  ///< wall clock of each stage by name, of the last time that it was computed
+  std::vector<Stage> computed;        ///< what the last call did not find up to date
 
   /// A place of the photo in working pixels, and back.
   QPointF toWorking(QPointF place) const { return (place - frame.topLeft()) * scale; }
@@ -75,8 +78,13 @@ struct LeafStages {
 /// Reads a picture (JPEG, PNG, 8 or 16 bit) as RGBA8888 with EXIF rotation applied.
 Result<QImage> readPhoto(const SourceFile& file);
 
-/// Computes every stage up to `last`. An error says which stage found what ("no leaf found: …").
-Result<LeafStages> computeStages(const Leaf& leaf, Stage last, Progress& progress);
+/// Computes every stage up to `last`. An error says which stage found what ("no leaf found: …"). Of `known`, an earlier
+/// result of the same or another leaf, every part is taken over whose own inputs are equal.
+Result<LeafStages> computeStages(const Leaf& leaf, Stage last, Progress& progress, const LeafStages* known = nullptr);
+
+/// The shape of another leaf of the same kind, by the shape parameters and `seed`: outline, veins, distances, regions in
+/// the same frame, with root and tip where they were. Its `seen` is empty: it is a target for colours of `of`.
+Result<LeafStages> computeVariedStages(const LeafStages& of, quint64 seed, Progress& progress);
 
 /// A new texture in the shape of `target` with the colours of `example` (often the same leaf): RGBA, straight alpha,
 /// colours spread under the transparent pixels, long side `target parameters.synthesis.size`. Deterministic by seed.

@@ -13,7 +13,6 @@ namespace windfall::model {
 namespace {
 
 constexpr int kWorkSide = 512;
-constexpr double kLeastVotes = 0.004;  // share of the leaf's area
 
 /// Strength of ridges, bright (sign 1) or dark (-1), over three scales (Hessian).
 cv::Mat1f ridges(const cv::Mat1f& lightness, float sign) {
@@ -87,7 +86,7 @@ cv::Mat1i votes(const cv::Mat1f& cost, const cv::Mat1b& leaf, cv::Point root) {
 
 }  // namespace
 
-std::vector<Tissue> extractVeins(const QImage& photo, std::vector<Tissue> types, QPoint root) {
+std::vector<Tissue> extractVeins(const QImage& photo, std::vector<Tissue> types, QPoint root, double detail) {
   const int width = photo.width(), height = photo.height();
   cv::Mat1b leafFull(height, width);
   std::transform(types.begin(), types.end(), leafFull.begin(),
@@ -133,7 +132,7 @@ std::vector<Tissue> extractVeins(const QImage& photo, std::vector<Tissue> types,
     }
   }
   const cv::Mat1i passed = votes(cost, leaf, start);
-  const double least = kLeastVotes * cv::countNonZero(leaf);
+  const double least = detail * cv::countNonZero(leaf);
   cv::Mat1b veins = passed > least;
   cv::Mat1b full;
   cv::resize(veins, full, {width, height}, 0, 0, cv::INTER_LINEAR);

@@ -9,6 +9,8 @@
 #include <queue>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/vein_curve.h"
+#include "model/leaf/vein_micro.h"
 
 namespace windfall::model {
 
@@ -106,44 +108,20 @@ class LeafGrid {
   cv::Mat1f depth_;
 };
 
-/// Uniform cubic B-spline through the ends, sampled about every two pixels: wiggles stay, corners go.
-Polygon smoothCurve(const Polygon& points) {
-  if (points.size() < 3) return points;
-  const auto at = [&](std::ptrdiff_t i) {
-    const auto last = static_cast<std::ptrdiff_t>(points.size()) - 1;
-    if (i < 0) return 2 * points.front() - points[1];
-    if (i > last) return 2 * points.back() - points[points.size() - 2];
-    return points[static_cast<size_t>(i)];
-  };
-  Polygon curve;
-  for (std::ptrdiff_t i = 0; i + 1 < static_cast<std::ptrdiff_t>(points.size()); ++i) {
-    const QPointF a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
-    const int samples = std::max(1, static_cast<int>(length(c - b) / 2));
-    for (int k = 0; k < samples; ++k) {
-      const double t = static_cast<double>(k) / samples;
-      curve.push_back(((1 - t) * (1 - t) * (1 - t) * a + (3 * t * t * t - 6 * t * t + 4) * b +
-                       (-3 * t * t * t + 3 * t * t + 3 * t + 1) * c + t * t * t * d) /
-                      6);
-    }
-  }
-  curve.push_back(points.back());
-  curve.front() = points.front();
-  return curve;
-}
+struct Tip {
+  QPointF place;
+  double distance;
+  double prominence;  ///< how far the border falls back on both sides, share of the distance
+};
 
-/// Main tips of a palmate leaf beside the first: far points of the border in other directions, in straight sight of the
-/// root. None for a pinnate leaf.
-Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis& axis) {
+/// Places of the border that are farther from the root than all around them, in straight sight of it, farthest first.
+std::vector<Tip> borderPeaks(const LeafGrid& grid, const Polygon& border, const LeafAxis& axis) {
   const double reach = length(axis.tip - axis.root);
   const size_t n = border.size(), window = std::max<size_t>(3, n / 28);
-  struct Tip {
-    QPointF place;
-    double distance;
-  };
   std::vector<Tip> tips;
   for (size_t i = 0; i < n; ++i) {
     const double distance = length(border[i] - axis.root);
-    if (distance < 0.55 * reach) continue;
+    if (distance < 0.3 * reach) continue;
     bool peak = true;
     double lowest = distance;
     for (size_t k = 1; k <= window && peak; ++k) {
@@ -151,22 +129,51 @@ Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis&
       peak = left <= distance && right < distance;
       lowest = std::min({lowest, left, right});
     }
-    if (!peak || lowest > 0.93 * distance) continue;
+    if (!peak) continue;
     const bool onPetiole = !axis.petiole.empty() && length(border[i] - axis.petiole.front()) < 0.2 * reach;
-    if (!onPetiole && grid.straightShare(axis.root, border[i]) > 0.97) tips.push_back({border[i], distance});
+    if (onPetiole || grid.straightShare(axis.root, border[i]) <= 0.97) continue;
+    tips.push_back({border[i], distance, 1 - lowest / distance});
   }
   std::sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
-  Polygon chosen{axis.tip};
-  for (const Tip& tip : tips) {
-    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](QPointF other) {
-      const double angle = std::abs(QLineF(axis.root, tip.place).angleTo(QLineF(axis.root, other)));
-      return std::min(angle, 360 - angle) > 27;
+  return tips;
+}
+
+/// Main tips beside the first: far points of the border in other directions. Of a palmate leaf as many as stand out,
+/// none of a pinnate one (`mains` 0); or the best `mains` - 1.
+Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis& axis, int mains) {
+  if (mains == 1) return {};
+  const double reach = length(axis.tip - axis.root);
+  std::vector<Tip> tips = borderPeaks(grid, border, axis);
+  size_t most = 8;
+  double apart = 27;  // degrees
+  if (mains > 1) {
+    most = static_cast<size_t>(mains) - 1;
+    apart = std::min(27.0, 150.0 / mains);
+    std::stable_sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) {
+      return a.distance * (0.2 + a.prominence) > b.distance * (0.2 + b.prominence);
     });
-    if (apart && chosen.size() < 9) chosen.push_back(tip.place);
+  } else {
+    std::erase_if(tips, [&](const Tip& tip) { return tip.distance < 0.55 * reach || tip.prominence < 0.07; });
+  }
+  Polygon chosen{axis.tip};
+  const auto add = [&](QPointF place) {
+    const bool free = std::all_of(chosen.begin(), chosen.end(), [&](QPointF other) {
+      const double angle = std::abs(QLineF(axis.root, place).angleTo(QLineF(axis.root, other)));
+      return std::min(angle, 360 - angle) > apart;
+    });
+    if (free && chosen.size() <= most) chosen.push_back(place);
+  };
+  for (const Tip& tip : tips) add(tip.place);
+  if (mains > 1 && chosen.size() <= most) {
+    // An outline without so many tips: the border is shared out by angle.
+    for (size_t i = 0; i < border.size(); i += std::max<size_t>(1, border.size() / 400)) {
+      const double distance = length(border[i] - axis.root);
+      if (distance > 0.3 * reach && grid.straightShare(axis.root, border[i]) > 0.97) add(border[i]);
+    }
   }
   chosen.erase(chosen.begin());
   // A single side tip is a tooth, not a second main vein.
-  if (chosen.size() < 2) chosen.clear();
+  if (mains == 0 && chosen.size() < 2) chosen.clear();
   return chosen;
 }
 
@@ -183,8 +190,14 @@ bool crosses(const Polygon& line, const Polygon& other) {
 
 class Grower {
  public:
-  Grower(const QImage& mask, const Polygon& border, const LeafAxis& axis, const VeinParameters& parameters)
-      : grid_(mask), border_(border), axis_(axis), parameters_(parameters), random_(parameters.seed, 101) {
+  Grower(const QImage& mask, const Polygon& border, const LeafAxis& axis, const Polygon& tips,
+         const VeinParameters& parameters)
+      : grid_(mask),
+        border_(border),
+        axis_(axis),
+        tips_(tips),
+        parameters_(parameters),
+        random_(parameters.seed, 101) {
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (const QPointF& p : border) {
       left = std::min(left, p.x()), right = std::max(right, p.x());
@@ -194,8 +207,11 @@ class Grower {
   }
 
   Veins grow() {
-    Polygon tips{axis_.tip};
-    for (const QPointF& tip : furtherTips(grid_, border_, axis_)) tips.push_back(tip);
+    Polygon tips = tips_;
+    if (tips.empty()) {
+      tips = furtherTips(grid_, border_, axis_, parameters_.mains);
+      tips.insert(tips.begin(), axis_.tip);
+    }
     for (size_t i = 0; i < tips.size(); ++i) addMain(tips[i], i == 0);
     const size_t mains = veins_.size();
     for (size_t i = 0; i < mains; ++i) addLaterals(static_cast<int>(i), mains > 1);
@@ -210,7 +226,7 @@ class Grower {
     if (way.size() < 2) way = {axis_.root, tip};
     // The middle way is only where to go; the vein itself is grown towards places on it.
     const double step = 0.05 * size_;
-    Polygon line = smoothCurve(follow(way, step, 0.6 * parameters_.wiggle));
+    Polygon line = curve(follow(way, step, 0.6 * parameters_.wiggle));
     if (!onLeaf(line)) line = smoothCurve(follow(way, step, 0));
     if (!onLeaf(line)) line = way;
     Vein vein;
@@ -240,6 +256,8 @@ class Grower {
     return line;
   }
 
+  Polygon curve(const Polygon& steps) const { return parameters_.bezier ? bezierCurve(steps) : smoothCurve(steps); }
+
   bool onLeaf(const Polygon& line) const {
     size_t outside = 0;
     for (const QPointF& p : line) outside += !grid_.contains(p);
@@ -263,12 +281,16 @@ class Grower {
                        veins_[static_cast<size_t>(mainIndex)].points.end());
     if (main.size() < 4) return;
     const double share = length(main.back() - main.front()) / length(axis_.tip - axis_.root);
+    if (parameters_.laterals < 1) return;
     const int count = std::max(2, static_cast<int>(std::lround(parameters_.laterals * (palmate ? 0.75 : 1.0) * share)));
+    // A palmate leaf's laterals keep away from the root, where its main veins are close.
+    const double from = palmate ? std::max(0.22, parameters_.firstLateral) : parameters_.firstLateral;
+    const double span = std::max(0.0, std::min(parameters_.lastLateral, palmate ? 0.88 : 1.0) - from);
     for (const int side : {-1, 1}) {
+      if (side < 0 ? !parameters_.leftSide : !parameters_.rightSide) continue;
       std::vector<Polygon> before;
       for (int k = 0; k < count; ++k) {
-        const double f = (palmate ? 0.22 : 0.06) +
-                         (palmate ? 0.66 : 0.80) * (k + random_.uniform(0.3, 0.7) + (side > 0 ? 0.25 : 0)) / count;
+        const double f = from + span * (k + random_.uniform(0.3, 0.7) + (side > 0 ? parameters_.stagger : 0)) / count;
         const auto index = std::min(main.size() - 3, static_cast<size_t>(f * static_cast<double>(main.size())));
         const QPointF base = main[index];
         const QPointF ahead = main[std::min(main.size() - 1, index + 8)] - main[index > 8 ? index - 8 : 0];
@@ -278,7 +300,7 @@ class Grower {
           const QPointF direction = turned(ahead / std::max(length(ahead), 1e-9), side * angle * kDegree);
           const QPointF target = rayEnd(base, direction);
           if (length(target - base) < 0.03 * size_) break;
-          Polygon line = smoothCurve(growWalk(base, target, 0.035 * size_, 0.7 * parameters_.wiggle, random_));
+          Polygon line = curve(growWalk(base, target, 0.035 * size_, 0.7 * parameters_.wiggle, random_));
           if (!onLeaf(line)) line = {base, base + 0.5 * (target - base), target};
           if (!onLeaf(line) || crossesAny(line, before, mainIndex)) continue;
           Vein vein;
@@ -310,6 +332,7 @@ class Grower {
   LeafGrid grid_;
   const Polygon& border_;
   const LeafAxis& axis_;
+  const Polygon& tips_;
   const VeinParameters& parameters_;
   RandomSequence random_;
   double size_ = 1;
@@ -331,21 +354,26 @@ Polygon growWalk(QPointF from, QPointF to, double step, double turn, RandomSeque
   return walk;
 }
 
-Veins growVeins(const QImage& mask, const Polygon& border, const LeafAxis& axis, const VeinParameters& parameters) {
-  return Grower(mask, border, axis, parameters).grow();
+Veins growVeins(const QImage& mask, const Polygon& border, const LeafAxis& axis, const Polygon& tips,
+                const VeinParameters& parameters) {
+  Veins veins = Grower(mask, border, axis, tips, parameters).grow();
+  if (parameters.micro) growMicroVeins(mask, parameters, veins);
+  return veins;
 }
 
-QImage drawVeins(const Veins& veins, QSize size, QPointF origin, double scale) {
+QImage drawVeins(const Veins& veins, QSize size, QPointF origin, double scale, int highestOrder) {
   QImage image(size, QImage::Format_Grayscale8);
   image.fill(0);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Vein& vein : veins) {
-    for (size_t i = 1; i < vein.points.size(); ++i) {
-      const double t = static_cast<double>(i) / static_cast<double>(vein.points.size());
+    if (vein.order > highestOrder) continue;
+    const Polygon points = throughPoints(vein.points);
+    for (size_t i = 1; i < points.size(); ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(points.size());
       const double width = std::max(1.0, scale * (vein.startWidth + (vein.endWidth - vein.startWidth) * t));
       painter.setPen(QPen(Qt::white, width, Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine((vein.points[i - 1] - origin) * scale, (vein.points[i] - origin) * scale);
+      painter.drawLine((points[i - 1] - origin) * scale, (points[i] - origin) * scale);
     }
   }
   return image;

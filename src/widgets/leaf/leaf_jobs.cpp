@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "model/export/exporter.h"
+#include "model/leaf/variant.h"
 
 namespace windfall::widgets {
 
@@ -54,13 +55,20 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
   snapshot.variants.clear();
   std::shared_ptr<const model::LeafStages> stages;
   if (known) stages = std::make_shared<model::LeafStages>(*known);
+  std::vector<Leaf> lenders;
+  for (const AssetId lender : leaf->examples) {
+    if (const Leaf* example = document_.project().leaf(lender)) {
+      lenders.push_back(*example);
+      lenders.back().variants.clear();
+    }
+  }
   emit variantsChanged(true);
   model::Job* job = jobs_.start<std::vector<model::Variant>>(
       tr("Making %n variants of %1", nullptr, count).arg(leaf->name), QStringLiteral("variants"),
-      [snapshot = std::move(snapshot), stages, seed,
+      [snapshot = std::move(snapshot), lenders = std::move(lenders), stages, seed,
        count](model::Progress& progress) -> Result<std::vector<model::Variant>> {
         // The stages take about as long as one texture.
-        const double parts = count + (stages ? 0 : 1);
+        const double parts = count + (stages ? 0 : 1) + double(lenders.size());
         double done = 0;
         model::LeafStages own;
         if (!stages) {
@@ -70,14 +78,23 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
           done = 1;
         }
         const model::LeafStages& of = stages ? *stages : own;
+        std::vector<model::LeafStages> examples;
+        for (const Leaf& lender : lenders) {
+          Result<model::LeafStages> made = lender.id == snapshot.id
+                                               ? Result<model::LeafStages>(of)
+                                               : model::computeStages(lender, model::Stage::Superpixels, progress);
+          if (!made) return Error{lender.name.toStdString() + ": " + made.error().message, made.error().cancelled};
+          examples.push_back(std::move(*made));
+          done += 1;
+        }
         std::vector<model::Variant> variants;
         for (int i = 0; i < count; ++i) {
           progress.report(done / parts);
           if (progress.cancelled()) return Error{"cancelled", true};
           const quint64 mine = seed + 1 + quint64(i);
-          Result<QImage> image = model::synthesize(of, of, snapshot.parameters.synthesis, mine, progress);
-          if (!image) return image.error();
-          variants.push_back({mine, true, std::move(*image)});
+          Result<model::Variant> variant = model::makeVariant(of, examples, mine, progress);
+          if (!variant) return variant.error();
+          variants.push_back(std::move(*variant));
           done += 1;
         }
         return variants;

@@ -53,7 +53,7 @@ class LeafMask : public QObject {
     const PaintedPhoto painted = paintLeafPhoto({static_cast<LeafShape>(shape), autumn, 0.7}, 21, 420);
     const QImage photo = uneven ? unevenlyLit(painted.photo) : rgba(painted.photo);
     Progress progress;
-    const Result<QImage> mask = automaticMask(photo, progress);
+    const Result<QImage> mask = automaticMask(photo, {}, progress);
     QVERIFY2(mask, mask ? "" : mask.error().message.c_str());
     const double iou = test::overlap(*mask, painted.mask);
     QVERIFY2(iou > 0.93, qPrintable(QString::number(iou)));
@@ -71,7 +71,7 @@ class LeafMask : public QObject {
     painter.end();
     QVERIFY(painted.mask.pixelColor(middle).red() > 127);
     Progress progress;
-    const Result<QImage> mask = automaticMask(photo, progress);
+    const Result<QImage> mask = automaticMask(photo, {}, progress);
     QVERIFY(mask);
     QCOMPARE(mask->pixelColor(middle).red(), 0);
   }
@@ -81,7 +81,7 @@ class LeafMask : public QObject {
     image.fill(Qt::transparent);
     QPainter(&image).fillRect(30, 20, 50, 40, QColor(30, 90, 30));
     Progress progress;
-    const Result<QImage> mask = automaticMask(image, progress);
+    const Result<QImage> mask = automaticMask(image, {}, progress);
     QVERIFY(mask);
     QCOMPARE(mask->pixelColor(31, 21).red(), 255);
     QCOMPARE(mask->pixelColor(29, 21).red(), 0);
@@ -109,7 +109,7 @@ class LeafMask : public QObject {
   void saysWhereNoLeafIs() {
     QFETCH(QImage, image);
     Progress progress;
-    const Result<QImage> mask = automaticMask(image, progress);
+    const Result<QImage> mask = automaticMask(image, {}, progress);
     QVERIFY(!mask);
     QVERIFY(QString::fromStdString(mask.error().message).startsWith("no leaf found"));
   }
@@ -125,7 +125,7 @@ class LeafMask : public QObject {
       const Result<QImage> photo = readPhoto(*source);
       QVERIFY(photo);
       Progress progress;
-      const Result<QImage> mask = automaticMask(*photo, progress);
+      const Result<QImage> mask = automaticMask(*photo, {}, progress);
       QVERIFY2(mask, qPrintable(file.baseName()));
       const double iou = test::overlap(*mask, QImage(file.filePath()).convertToFormat(QImage::Format_Grayscale8));
       qInfo("%s %.4f", qPrintable(file.baseName()), iou);

@@ -14,7 +14,7 @@ Veins veinsOf(const PaintedPhoto& painted, quint64 seed) {
   const Polygon border = traceBorder(painted.mask);
   VeinParameters parameters;
   parameters.seed = seed;
-  return growVeins(painted.mask, border, findAxis(painted.mask, border, {}), parameters);
+  return growVeins(painted.mask, border, findAxis(painted.mask, border, {}), {}, parameters);
 }
 
 }  // namespace
