@@ -50,14 +50,14 @@ inline model::Project richProject() {
   parameters.mask.keepHoles = false;
   parameters.epsilon = 2.5;
   parameters.shape = {true, 0.2, 0.3, 0.05, 0.01, 31, 2, 3};
-  parameters.veins = {18446744073709551615ULL, true, 0.01, 5, 11, 70.1, 30.2, 5, 0.1, 0.7, 0.5, false, false, true,
-                      true, false, 0.03};
+  parameters.veins = {
+      18446744073709551615ULL, true, 0.01, 5, 11, 70.1, 30.2, 5, 0.1, 0.7, 0.5, false, false, true, true, false, 0.03};
   parameters.costs = {2, 5, 9};
   parameters.regions = {false, 0.4, true, 12};
   parameters.synthesis = {false, 512, 1000, 5, 0.1};
-  leaf.variants = {{9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2),
-                    QPointF(8, 22), QPointF(9.5, 1)},
-                   {7, true, QImage()}};
+  leaf.variants = {
+      {9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2), QPointF(8, 22), QPointF(9.5, 1)},
+      {7, true, QImage()}};
   Leaf bare;
   bare.id = {4};
   bare.name = QStringLiteral("Bare");

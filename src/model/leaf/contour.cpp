@@ -81,6 +81,14 @@ Polygon mergeCollinear(const Polygon& closed) {
   return result;
 }
 
+Polygon simplifyLine(const Polygon& line, double epsilon) {
+  if (line.size() < 3) return line;
+  Polygon result;
+  simplifyOpen(line, epsilon, result);
+  result.push_back(line.back());
+  return result;
+}
+
 Polygon simplifyClosed(const Polygon& closed, double epsilon, QPointF first, QPointF second) {
   if (closed.size() < 4) return closed;
   const size_t n = closed.size();

@@ -15,6 +15,9 @@ Polygon traceBorder(const QImage& mask);
 /// Leaves out points in the middle of straight runs of a closed polygon.
 Polygon mergeCollinear(const Polygon& closed);
 
+/// Ramer, Douglas and Peucker on an open line; its ends stay.
+Polygon simplifyLine(const Polygon& line, double epsilon);
+
 /// Ramer, Douglas and Peucker on a closed polygon, split at the points nearest to `first` and `second` (root and tip):
 /// no left-out point is farther than `epsilon` px from the result.
 Polygon simplifyClosed(const Polygon& closed, double epsilon, QPointF first, QPointF second);

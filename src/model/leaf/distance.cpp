@@ -74,7 +74,7 @@ ScalarField normalised(const std::vector<std::int32_t>& distance, QSize size, co
     if (types[i] != Tissue::Outside && distance[i] >= 0) reached.push_back(distance[i]);
   }
   const auto top = static_cast<float>(std::max(1, quantile(std::move(reached), 0.995)));
-  ScalarField field{size, std::vector<float>(types.size(), 0.f)};
+  ScalarField field{size, std::vector<float>(types.size(), 0.f), static_cast<double>(top)};
   for (size_t i = 0; i < types.size(); ++i) {
     if (types[i] == Tissue::Outside) continue;
     field.values[i] = distance[i] < 0 ? 1.f : std::min(1.f, static_cast<float>(distance[i]) / top);
@@ -95,7 +95,7 @@ ScalarField veinDistanceField(const std::vector<Tissue>& types, QSize size) {
     ++value;
   }
   const float scale = 1 / (2 * std::max(1e-3f, quantile(std::move(inside), 0.95)));
-  ScalarField field{size, std::vector<float>(types.size(), 0.f)};
+  ScalarField field{size, std::vector<float>(types.size(), 0.f), 1 / static_cast<double>(scale)};
   value = distance.begin();
   for (size_t i = 0; i < types.size(); ++i, ++value) {
     if (types[i] != Tissue::Outside) field.values[i] = *value * scale;

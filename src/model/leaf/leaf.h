@@ -22,33 +22,33 @@ struct MaskParameters {
 /// Veins that were not drawn by hand: grown by seed, or read from the photo (leaf_textures.md, 3).
 struct VeinParameters {
   quint64 seed = 1;
-  bool fromPhoto = false;     ///< the veins that the photo shows, instead of grown ones
-  double detail = 0.004;      ///< share of the blade that a vein of the photo must serve
-  int mains = 0;              ///< main veins; 0: one for each tip that the outline shows
-  int laterals = 8;           ///< a side
-  double basalAngle = 62;     ///< degrees from the main vein at the base
-  double apicalAngle = 35;    ///< degrees at the tip
-  double wiggle = 15;         ///< degrees, largest turn of a step
-  double firstLateral = 0.06; ///< where the laterals begin, share of the main vein
-  double lastLateral = 0.86;  ///< and where they end
-  double stagger = 0.25;      ///< how far the sides are set off, share of a gap; 0: opposite, 0.5: alternate
+  bool fromPhoto = false;      ///< the veins that the photo shows, instead of grown ones
+  double detail = 0.004;       ///< share of the blade that a vein of the photo must serve
+  int mains = 0;               ///< main veins; 0: one for each tip that the outline shows
+  int laterals = 8;            ///< a side
+  double basalAngle = 62;      ///< degrees from the main vein at the base
+  double apicalAngle = 35;     ///< degrees at the tip
+  double wiggle = 15;          ///< degrees, largest turn of a step
+  double firstLateral = 0.06;  ///< where the laterals begin, share of the main vein
+  double lastLateral = 0.86;   ///< and where they end
+  double stagger = 0.25;       ///< how far the sides are set off, share of a gap; 0: opposite, 0.5: alternate
   bool leftSide = true, rightSide = true;  ///< which sides have laterals, seen from the root to the tip
-  bool bezier = false;        ///< each vein one Bezier curve of its steps, as in the thesis; else a B-spline
-  bool micro = false;         ///< tertiary and finer veins between them
-  bool closed = true;         ///< the finer veins meet in loops; else they end freely
-  double microSpacing = 0.02; ///< between finer veins, share of the leaf's long side
+  bool bezier = false;         ///< each vein one Bezier curve of its steps, as in the thesis; else a B-spline
+  bool micro = false;          ///< tertiary and finer veins between them
+  bool closed = true;          ///< the finer veins meet in loops; else they end freely
+  double microSpacing = 0.02;  ///< between finer veins, share of the leaf's long side
   bool operator==(const VeinParameters&) const = default;
 };
 
 /// How the outline of a new leaf differs from the photo's, by the seed of each variant. All are shares, 0: not at all.
 struct ShapeParameters {
-  bool vary = false;        ///< every variant gets an outline and veins of its own
-  double aspect = 0.12;     ///< of the width
-  double asymmetry = 0.10;  ///< of the two halves' widths against each other
-  double lobes = 0.06;      ///< of the width, in waves as long as lobes
-  double teeth = 0;         ///< of the width, as teeth along the margin
-  int toothCount = 24;      ///< a side
-  int holes = 0, bites = 0; ///< at most so many, eaten inside and at the margin
+  bool vary = false;         ///< every variant gets an outline and veins of its own
+  double aspect = 0.12;      ///< of the width
+  double asymmetry = 0.10;   ///< of the two halves' widths against each other
+  double lobes = 0.06;       ///< of the width, in waves as long as lobes
+  double teeth = 0;          ///< of the width, as teeth along the margin
+  int toothCount = 24;       ///< a side
+  int holes = 0, bites = 0;  ///< at most so many, eaten inside and at the margin
   bool operator==(const ShapeParameters&) const = default;
 };
 
@@ -92,8 +92,8 @@ struct LeafParameters {
 /// One new texture; its picture follows from the seed and is kept so that it need not be made again.
 struct Variant {
   quint64 seed = 0;
-  bool keep = true;  ///< goes into the atlas and onto the trees
-  QImage image;      ///< RGBA, straight alpha, photo orientation
+  bool keep = true;                  ///< goes into the atlas and onto the trees
+  QImage image;                      ///< RGBA, straight alpha, photo orientation
   std::optional<QPointF> root, tip;  ///< px of the image; absent: where the leaf's own stages have them
   bool operator==(const Variant&) const = default;
 };
@@ -119,15 +119,15 @@ struct Leaf {
   AssetId id;
   QString name;
   SourceFile photo;
-  QImage mask;                   ///< Grayscale8 of the photo's size, white leaf; null: automatic
-  std::optional<QPointF> root;   ///< where the petiole meets the blade, px
-  std::vector<QPointF> tips;     ///< where the main veins end, px; the first is the tip; empty: automatic
-  Veins veins;                   ///< drawn by hand; empty: by the parameters
-  std::vector<QPointF> markers;  ///< region markers, px; empty: automatic
-  Ruler ruler;                   ///< wins over bladeLength
-  double bladeLength = 0.08;     ///< m, root to tip
-  std::vector<AssetId> examples;         ///< leaves that lend their colours, variants in turn; empty: this one
-  std::vector<RegionPair> regionPairs;   ///< choices of regions made by hand
+  QImage mask;                          ///< Grayscale8 of the photo's size, white leaf; null: automatic
+  std::optional<QPointF> root;          ///< where the petiole meets the blade, px
+  std::vector<QPointF> tips;            ///< where the main veins end, px; the first is the tip; empty: automatic
+  Veins veins;                          ///< drawn by hand; empty: by the parameters
+  std::vector<QPointF> markers;         ///< region markers, px; empty: automatic
+  Ruler ruler;                          ///< wins over bladeLength
+  double bladeLength = 0.08;            ///< m, root to tip
+  std::vector<AssetId> examples;        ///< leaves that lend their colours, variants in turn; empty: this one
+  std::vector<RegionPair> regionPairs;  ///< choices of regions made by hand
   LeafParameters parameters;
   std::vector<Variant> variants;
   bool operator==(const Leaf&) const = default;

@@ -24,33 +24,75 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
       shape.low = region[static_cast<size_t>(0.02 * last)];
       shape.high = region[static_cast<size_t>(0.98 * last)];
       shape.area = static_cast<double>(region.size()) / static_cast<double>(leaf);
+      shape.lowest = region.front();
+      shape.highest = region.back();
+      shape.pixels = static_cast<double>(region.size());
     }
     shapes.push_back(shape);
   }
   return shapes;
 }
 
-double similarity(const RegionShape& a, const RegionShape& b) {
-  if (a.area <= 0 || b.area <= 0) return 0;
-  const double joint = std::min(a.high, b.high) - std::max(a.low, b.low);
-  const double whole = std::max(a.high, b.high) - std::min(a.low, b.low);
-  const double overlap = whole > 0 ? std::max(0.0, joint) / whole : 1;
-  const double ratio = std::log(a.area / b.area);
-  return overlap * std::exp(-ratio * ratio / (2 * 0.6 * 0.6));
+namespace {
+
+double overlap(double lowA, double highA, double lowB, double highB) {
+  const double joint = std::min(highA, highB) - std::max(lowA, lowB);
+  const double whole = std::max(highA, highB) - std::min(lowA, lowB);
+  return whole > 0 ? std::max(0.0, joint) / whole : 1;
 }
 
-std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random) {
+}  // namespace
+
+double similarity(const RegionShape& a, const RegionShape& b) {
+  if (a.area <= 0 || b.area <= 0) return 0;
+  const double ratio = std::log(a.area / b.area);
+  return overlap(a.low, a.high, b.low, b.high) * std::exp(-ratio * ratio / (2 * 0.6 * 0.6));
+}
+
+double thesisSimilarity(const RegionShape& a, const RegionShape& b) {
+  if (a.area <= 0 || b.area <= 0) return 0;
+  const double difference = a.pixels - b.pixels;
+  return overlap(a.lowest, a.highest, b.lowest, b.highest) / (1 + difference * difference);
+}
+
+std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
+                              const RegionParameters& parameters) {
   const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  const auto alike = parameters.scaleFree ? similarity : thesisSimilarity;
   std::vector<int> match;
   for (const RegionShape& shape : targets) {
     std::vector<int> order(examples.size());
     std::iota(order.begin(), order.end(), 0);
     std::vector<double> score;
-    for (const RegionShape& other : examples) score.push_back(similarity(shape, other));
+    for (const RegionShape& other : examples) score.push_back(alike(shape, other));
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return score[static_cast<size_t>(a)] > score[static_cast<size_t>(b)]; });
-    const size_t best = std::min(order.size(), std::max<size_t>(3, (order.size() + 4) / 5));
+    const auto share = static_cast<size_t>(std::ceil(parameters.best * static_cast<double>(order.size()) - 1e-9));
+    const size_t best = std::min(order.size(), std::max<size_t>(3, share));
     match.push_back(best == 0 ? 0 : order[random.below(static_cast<std::uint32_t>(best))] + 1);
+  }
+  return match;
+}
+
+int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo) {
+  const QPointF working = stages.toWorking(photo);
+  const int x = static_cast<int>(std::floor(working.x())), y = static_cast<int>(std::floor(working.y()));
+  if (x < 0 || y < 0 || x >= regions.size.width() || y >= regions.size.height()) return 0;
+  return regions.values[static_cast<size_t>(y) * static_cast<size_t>(regions.size.width()) + static_cast<size_t>(x)];
+}
+
+std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random) {
+  const RegionParameters& parameters = target.made.parameters.regions;
+  std::vector<int> match = matchRegions(target.grown, example.seen, random, parameters);
+  if (parameters.hold) {
+    RandomSequence held(parameters.seed, 211);
+    match = matchRegions(target.grown, example.seen, held, parameters);
+  }
+  for (const RegionPair& pair : target.made.regionPairs) {
+    if (pair.example != example.made.id && !(pair.example == AssetId{} && target.made.id == example.made.id)) continue;
+    const int to = regionAt(target, target.grown.regions, pair.target);
+    const int from = regionAt(example, example.seen.regions, pair.source);
+    if (to > 0 && from > 0 && to <= static_cast<int>(match.size())) match[static_cast<size_t>(to - 1)] = from;
   }
   return match;
 }

@@ -8,10 +8,12 @@
 
 namespace windfall::model {
 
-/// A region in numbers that do not depend on the picture's size.
+/// A region in numbers.
 struct RegionShape {
-  float low = 0, high = 0;  ///< 2nd and 98th percentile of the structural distance
-  double area = 0;          ///< share of the leaf
+  float low = 0, high = 0;        ///< 2nd and 98th percentile of the structural distance
+  double area = 0;                ///< share of the leaf
+  float lowest = 0, highest = 0;  ///< of the structural distance
+  double pixels = 0;              ///< area in working pixels
 };
 
 /// Entry i belongs to region i + 1.
@@ -20,7 +22,19 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure);
 /// 1 for equal regions: overlap of the distance ranges times exp(-ln^2(area ratio) / (2 0.6^2)) (leaf_textures.md, 5).
 double similarity(const RegionShape& a, const RegionShape& b);
 
+/// The thesis's own: overlap of the whole distance ranges over 1 + the square of the difference of the areas in pixels.
+/// It changes with the resolution, and sorts by area alone.
+double thesisSimilarity(const RegionShape& a, const RegionShape& b);
+
 /// For each region of the target one of the best fifth (at least three) of the example's, drawn by `random`; 1.. .
-std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random);
+std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
+                              const RegionParameters& parameters = {});
+
+/// The match by which `target` takes colours of `example`: by the target's region parameters (held: by their own seed,
+/// and `random` moves on all the same), and by hand where it has pairs for this example. 1.. .
+std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random);
+
+/// The region at a place of the photo, 0: none.
+int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo);
 
 }  // namespace windfall::model

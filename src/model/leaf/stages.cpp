@@ -57,9 +57,7 @@ std::vector<Tissue> tissueOf(const LeafStructure& structure, const QImage& alpha
   std::vector<Tissue> types(structure.veinDistance.values.size());
   auto opaque = leaf.begin();
   for (size_t i = 0; i < types.size(); ++i, ++opaque) {
-    types[i] = *opaque < 128                             ? Tissue::Outside
-               : structure.veinDistance.values[i] > 0 ? Tissue::Blade
-                                                       : Tissue::Vein;
+    types[i] = *opaque < 128 ? Tissue::Outside : structure.veinDistance.values[i] > 0 ? Tissue::Blade : Tissue::Vein;
   }
   return types;
 }
@@ -303,12 +301,10 @@ class Computation {
 
   Result<bool> superpixels() {
     const int count = leaf_.parameters.synthesis.superpixels;
-    const bool sameCount =
-        has(Stage::Superpixels) && known_->made.parameters.synthesis.superpixels == count;
+    const bool sameCount = has(Stage::Superpixels) && known_->made.parameters.synthesis.superpixels == count;
     const bool sameGrown = sameCount && sameDistance_ && sameRegions_;
     result_.grown.superpixels =
-        sameGrown ? known_->grown.superpixels
-                  : makeSuperpixels(result_.grown.distance, result_.grown.regions, count);
+        sameGrown ? known_->grown.superpixels : makeSuperpixels(result_.grown.distance, result_.grown.regions, count);
     if (givenFrame_) return sameGrown;
     // What the photo shows does not depend on the veins that were grown or drawn.
     const bool sameSeen = has(Stage::Superpixels) && known_->photo.cacheKey() == result_.photo.cacheKey() &&

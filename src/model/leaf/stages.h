@@ -20,6 +20,7 @@ namespace windfall::model {
 struct ScalarField {
   QSize size;
   std::vector<float> values;
+  double unit = 1;  ///< what a value of 1 stands for: cost of the way, working pixels
 };
 
 /// A region a pixel: 0 outside, 1.. regions.
@@ -82,8 +83,8 @@ Result<QImage> readPhoto(const SourceFile& file);
 /// result of the same or another leaf, every part is taken over whose own inputs are equal.
 Result<LeafStages> computeStages(const Leaf& leaf, Stage last, Progress& progress, const LeafStages* known = nullptr);
 
-/// The shape of another leaf of the same kind, by the shape parameters and `seed`: outline, veins, distances, regions in
-/// the same frame, with root and tip where they were. Its `seen` is empty: it is a target for colours of `of`.
+/// The shape of another leaf of the same kind, by the shape parameters and `seed`: outline, veins, distances, regions
+/// in the same frame, with root and tip where they were. Its `seen` is empty: it is a target for colours of `of`.
 Result<LeafStages> computeVariedStages(const LeafStages& of, quint64 seed, Progress& progress);
 
 /// A new texture in the shape of `target` with the colours of `example` (often the same leaf): RGBA, straight alpha,

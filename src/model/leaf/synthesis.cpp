@@ -146,7 +146,7 @@ Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, c
   const Error cancelled{"cancelled", true};
   RandomSequence random(seed, 211);
   const std::vector<float> colours = workingColours(example);
-  const std::vector<int> match = matchRegions(target.grown, example.seen, random);
+  const std::vector<int> match = chooseRegions(target, example, random);
   progress.report(0.1);
   if (progress.cancelled()) return cancelled;
   std::vector<float> result = parameters.guided

@@ -192,12 +192,7 @@ class Grower {
  public:
   Grower(const QImage& mask, const Polygon& border, const LeafAxis& axis, const Polygon& tips,
          const VeinParameters& parameters)
-      : grid_(mask),
-        border_(border),
-        axis_(axis),
-        tips_(tips),
-        parameters_(parameters),
-        random_(parameters.seed, 101) {
+      : grid_(mask), border_(border), axis_(axis), tips_(tips), parameters_(parameters), random_(parameters.seed, 101) {
     double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
     for (const QPointF& p : border) {
       left = std::min(left, p.x()), right = std::max(right, p.x());

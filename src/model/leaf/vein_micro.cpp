@@ -55,9 +55,7 @@ class PointGrid {
   }
 
  private:
-  int column(QPointF p) const {
-    return std::clamp(static_cast<int>((p.x() - corner_.x()) / cell_), 0, columns_ - 1);
-  }
+  int column(QPointF p) const { return std::clamp(static_cast<int>((p.x() - corner_.x()) / cell_), 0, columns_ - 1); }
   int row(QPointF p) const { return std::clamp(static_cast<int>((p.y() - corner_.y()) / cell_), 0, rows_ - 1); }
   size_t cellOf(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(columns_) + static_cast<size_t>(x);

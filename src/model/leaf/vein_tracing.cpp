@@ -56,8 +56,7 @@ class SkeletonTree {
         for (int dx = -1; dx <= 1; ++dx) {
           const cv::Point next = here + cv::Point(dx, dy);
           if (next.x < 0 || next.y < 0 || next.x >= skeleton_.cols || next.y >= skeleton_.rows) continue;
-          const float way =
-              distance + (dx != 0 && dy != 0 ? 1.4142f : 1.f) * (skeleton_(next) ? 1.f : kGapCost);
+          const float way = distance + (dx != 0 && dy != 0 ? 1.4142f : 1.f) * (skeleton_(next) ? 1.f : kGapCost);
           if (way >= reached_(next)) continue;
           reached_(next) = way;
           before_(next) = index;

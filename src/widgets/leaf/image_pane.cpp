@@ -138,11 +138,46 @@ void ImagePane::paintEvent(QPaintEvent* event) {
     overlay_.draw(painter, area, visible);
     painter.setOpacity(1);
   }
-  if (!paintTool_) return;
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(area.topLeft());
-  painter.scale(zoom_, zoom_);
-  paintTool_(painter);
+  if (paintTool_) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(area.topLeft());
+    painter.scale(zoom_, zoom_);
+    paintTool_(painter);
+    painter.restore();
+  }
+  drawLegend(painter, legend_, rect().marginsRemoved({12, 12, 12, 12}), c);
+}
+
+void ImagePane::setLegend(const Legend& legend) {
+  legend_ = legend;
+  update();
+}
+
+void ImagePane::setToolKeys(std::function<bool()> takes, std::function<bool(int, Qt::KeyboardModifiers)> key) {
+  takesKeys_ = std::move(takes);
+  toolKey_ = std::move(key);
+}
+
+bool ImagePane::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && takesKeys_ && takesKeys_()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool order = key->modifiers() & Qt::AltModifier && key->key() >= Qt::Key_1 && key->key() <= Qt::Key_4;
+    switch (key->key()) {
+      case Qt::Key_Delete:
+      case Qt::Key_Backspace:
+      case Qt::Key_Plus:
+      case Qt::Key_Equal:
+      case Qt::Key_Minus:
+        event->accept();
+        return true;
+      default:
+        if (!order) break;
+        event->accept();
+        return true;
+    }
+  }
+  return QWidget::event(event);
 }
 
 void ImagePane::begin(QPointF position, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers, double pressure,
@@ -217,7 +252,7 @@ void ImagePane::keyPressEvent(QKeyEvent* event) {
     emit cancelled();
   } else if (event->key() == Qt::Key_Space) {
     if (!event->isAutoRepeat()) space_ = true;
-  } else {
+  } else if (!toolKey_ || !toolKey_(event->key(), event->modifiers())) {
     QWidget::keyPressEvent(event);
   }
   updateCursor();

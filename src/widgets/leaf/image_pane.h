@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "widgets/leaf/legend.h"
 #include "widgets/leaf/mip_image.h"
 #include "widgets/tools/tool.h"
 
@@ -31,6 +32,11 @@ class ImagePane : public QWidget {
   /// What the tools draw, in photo pixels.
   void setToolPainter(std::function<void(QPainter&)> paint) { paintTool_ = std::move(paint); }
   void setToolCursor(Qt::CursorShape shape, bool pans);
+  /// Offers Delete, Backspace, + and −, Alt+1 to 4 before any shortcut; `takes` false: they are left to the window.
+  void setToolKeys(std::function<bool()> takes, std::function<bool(int, Qt::KeyboardModifiers)> key);
+  /// Drawn in the lower left corner; empty: none.
+  void setLegend(const Legend& legend);
+  const Legend& legend() const { return legend_; }
 
   /// Screen pixels a photo pixel.
   double zoom() const { return zoom_; }
@@ -55,6 +61,7 @@ class ImagePane : public QWidget {
   void viewChanged();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent*) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -83,6 +90,9 @@ class ImagePane : public QWidget {
   Drag drag_ = Drag::None;
   QPointF last_, pressedAt_;
   std::function<void(QPainter&)> paintTool_;
+  std::function<bool()> takesKeys_;
+  std::function<bool(int, Qt::KeyboardModifiers)> toolKey_;
+  Legend legend_;
 };
 
 }  // namespace windfall::widgets

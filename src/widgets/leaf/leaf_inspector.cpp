@@ -12,9 +12,20 @@ using model::LeafParameters;
 
 LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
     : FieldPanel(QStringLiteral("leaf"), parent), document_(document) {
-  const LeafParameters defaults;
-  const QString px = tr("px"), degree = QStringLiteral("°");
+  addSource();
+  addContour();
+  addShape();
+  addVeins();
+  addDistance();
+  addRegions();
+  addSynthesis();
+  connect(&document_, &model::Document::changed, this, [this](const model::Change& change) {
+    if (change.aspect == Aspect::Everything || change.asset == leaf_) refresh();
+  });
+  setEnabled(false);
+}
 
+void LeafInspector::addSource() {
   FieldGroup* source = addGroup(QStringLiteral("source"), tr("Source"));
   file_ = source->add(new InfoField(tr("Photo")));
   size_ = source->add(new InfoField(tr("Size")));
@@ -25,57 +36,191 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
                                                                   .unit = tr("cm"),
                                                                   .logarithmic = true,
                                                                   .step = 0.5}));
-  bladeLength_->setToolTip(tr("From the root to the tip, in the real world"));
+  bladeLength_->setToolTip(tr("From the root to the tip, in the real world; a ruler in the photo gives it too"));
   connect(bladeLength_, &NumberField::edited, this, [this](double cm) {
     document_.setLeaf(leaf_, &model::Leaf::bladeLength, cm / 100, Aspect::LeafParameters, tr("Blade length"),
                       bladeLength_->gesture());
   });
+  rulerLength_ = source->add(new NumberField(tr("Ruler"), {.minimum = 0.5,
+                                                           .maximum = 100,
+                                                           .defaultValue = 100 * model::Ruler().metres,
+                                                           .decimals = 2,
+                                                           .unit = tr("cm"),
+                                                           .logarithmic = true,
+                                                           .step = 0.5}));
+  rulerLength_->setToolTip(tr("What the line that was drawn with the ruler tool measures in the real world"));
+  connect(rulerLength_, &NumberField::edited, this, [this](double cm) {
+    const model::Leaf* leaf = document_.project().leaf(leaf_);
+    if (!leaf) return;
+    model::Ruler ruler = leaf->ruler;
+    ruler.metres = cm / 100;
+    document_.setLeaf(leaf_, &model::Leaf::ruler, ruler, Aspect::LeafParameters, tr("Ruler"), rulerLength_->gesture());
+  });
   connect(source->addButton(tr("Replace photo…"), QStringLiteral("photo")), &QPushButton::clicked, this,
           &LeafInspector::replacePhotoRequested);
+}
 
-  FieldGroup* contour = addGroup(QStringLiteral("contour"), tr("Contour"));
+void LeafInspector::addContour() {
+  FieldGroup* contour = addGroup(QStringLiteral("contour"), tr("Mask and contour"));
+  flag(
+      contour, "mask.keepHoles", tr("Keep holes"), true,
+      tr("Places inside the blade that look like ground stay holes; else the automatic mask fills them"),
+      [](const LeafParameters& p) { return p.mask.keepHoles; },
+      [](LeafParameters& p, bool on) { p.mask.keepHoles = on; });
   number(
-      contour, tr("Tolerance"), {.minimum = 0, .maximum = 40, .defaultValue = 0, .decimals = 1, .unit = px},
+      contour, "epsilon", tr("Tolerance"),
+      {.minimum = 0, .maximum = 40, .defaultValue = 0, .decimals = 1, .unit = tr("px")},
       [](const LeafParameters& p) { return p.epsilon; }, [](LeafParameters& p, double v) { p.epsilon = v; })
       ->setToolTip(tr("How far the simplified outline may stray from the mask's edge; 0 chooses by the photo's size"));
+  vertices_ = contour->add(new InfoField(tr("Vertices")));
+}
 
+void LeafInspector::addShape() {
+  const model::ShapeParameters defaults;
+  FieldGroup* shape = addGroup(QStringLiteral("shape"), tr("Shape of variants"));
+  flag(
+      shape, "shape.vary", tr("Vary"), false, tr("Every variant gets an outline and veins of its own, by its seed"),
+      [](const LeafParameters& p) { return p.shape.vary; }, [](LeafParameters& p, bool on) { p.shape.vary = on; });
+  const auto share = [&](const char* id, const QString& label, double model::ShapeParameters::*member, double most,
+                         const QString& help) {
+    number(
+        shape, id, label,
+        {.minimum = 0, .maximum = 100 * most, .defaultValue = 100 * defaults.*member, .decimals = 0, .unit = tr("%")},
+        [member](const LeafParameters& p) { return 100 * p.shape.*member; },
+        [member](LeafParameters& p, double v) { p.shape.*member = v / 100; })
+        ->setToolTip(help);
+  };
+  const auto count = [&](const char* id, const QString& label, int model::ShapeParameters::*member, double least,
+                         double most, const QString& help) {
+    number(
+        shape, id, label, {.minimum = least, .maximum = most, .defaultValue = double(defaults.*member), .decimals = 0},
+        [member](const LeafParameters& p) { return p.shape.*member; },
+        [member](LeafParameters& p, double v) { p.shape.*member = int(v); })
+        ->setToolTip(help);
+  };
+  share("shape.aspect", tr("Width"), &model::ShapeParameters::aspect, 0.5, tr("How much the width differs"));
+  share("shape.asymmetry", tr("Asymmetry"), &model::ShapeParameters::asymmetry, 0.5,
+        tr("How much the halves differ, and the midrib bends"));
+  share("shape.lobes", tr("Lobes"), &model::ShapeParameters::lobes, 0.4, tr("How much lobes swell, shrink and move"));
+  share("shape.teeth", tr("Teeth"), &model::ShapeParameters::teeth, 0.3, tr("Depth of teeth added along the margin"));
+  count("shape.toothCount", tr("Teeth a side"), &model::ShapeParameters::toothCount, 4, 80, tr("How many teeth"));
+  count("shape.holes", tr("Holes"), &model::ShapeParameters::holes, 0, 12, tr("At most so many holes are eaten"));
+  count("shape.bites", tr("Bites"), &model::ShapeParameters::bites, 0, 12, tr("At most so many bites at the margin"));
+}
+
+void LeafInspector::addVeins() {
+  const model::VeinParameters defaults;
+  const QString degree = QStringLiteral("°"), percent = tr("%");
+  using Veins = model::VeinParameters;
   FieldGroup* veins = addGroup(QStringLiteral("veins"), tr("Veins"));
+  const auto real = [&](const char* id, const QString& label, double Veins::*member, const NumberSpec& spec,
+                        double factor = 1) {
+    NumberSpec whole = spec;
+    whole.defaultValue = factor * defaults.*member;
+    return number(
+        veins, id, label, whole, [member, factor](const LeafParameters& p) { return factor * p.veins.*member; },
+        [member, factor](LeafParameters& p, double v) { p.veins.*member = v / factor; });
+  };
+  const auto check = [&](const char* id, const QString& label, bool Veins::*member, const QString& help) {
+    return flag(
+        veins, id, label, defaults.*member, help, [member](const LeafParameters& p) { return p.veins.*member; },
+        [member](LeafParameters& p, bool on) { p.veins.*member = on; });
+  };
+  veinsFound_ = veins->add(new InfoField(tr("In use")));
+  auto* source = veins->add(new ChoiceField(tr("From"), {tr("Growth"), tr("The photo")}, 0));
+  source->setToolTip(tr("Veins that are not drawn by hand: grown by seed, or read from the photo"));
+  connect(source, &ChoiceField::edited, this,
+          [this, source](int index) { edit(source, [index](LeafParameters& p) { p.veins.fromPhoto = index == 1; }); });
+  refreshers_.push_back([source](const model::Leaf& leaf) { source->setValue(leaf.parameters.veins.fromPhoto); });
+  real("veins.detail", tr("Photo detail"), &Veins::detail,
+       {.minimum = 0.05, .maximum = 5, .decimals = 2, .unit = percent, .logarithmic = true, .step = 0.05}, 100)
+      ->setToolTip(tr("Share of the blade that a vein of the photo must serve: less shows finer veins"));
   seed_ = veins->add(new SeedField(tr("Seed")));
   connect(seed_, &SeedField::edited, this,
           [this](quint64 seed) { edit(seed_, [seed](LeafParameters& p) { p.veins.seed = seed; }); });
   refreshers_.push_back([this](const model::Leaf& leaf) { seed_->setValue(leaf.parameters.veins.seed); });
+  number(
+      veins, "veins.mains", tr("Main veins"), {.minimum = 0, .maximum = 9, .defaultValue = 0, .decimals = 0},
+      [](const LeafParameters& p) { return p.veins.mains; },
+      [](LeafParameters& p, double v) { p.veins.mains = int(v); })
+      ->setToolTip(tr("0: as many as the outline has tips that stand out"));
   laterals_ = number(
-      veins, tr("Laterals a side"),
-      {.minimum = 0, .maximum = 24, .defaultValue = double(defaults.veins.laterals), .decimals = 0},
+      veins, "veins.laterals", tr("Laterals a side"),
+      {.minimum = 0, .maximum = 24, .defaultValue = double(defaults.laterals), .decimals = 0},
       [](const LeafParameters& p) { return p.veins.laterals; },
       [](LeafParameters& p, double v) { p.veins.laterals = int(v); });
-  number(
-      veins, tr("Base angle"),
-      {.minimum = 10, .maximum = 90, .defaultValue = defaults.veins.basalAngle, .decimals = 0, .unit = degree},
-      [](const LeafParameters& p) { return p.veins.basalAngle; },
-      [](LeafParameters& p, double v) { p.veins.basalAngle = v; });
-  number(
-      veins, tr("Tip angle"),
-      {.minimum = 10, .maximum = 90, .defaultValue = defaults.veins.apicalAngle, .decimals = 0, .unit = degree},
-      [](const LeafParameters& p) { return p.veins.apicalAngle; },
-      [](LeafParameters& p, double v) { p.veins.apicalAngle = v; });
-  number(
-      veins, tr("Wiggle"),
-      {.minimum = 0, .maximum = 45, .defaultValue = defaults.veins.wiggle, .decimals = 0, .unit = degree},
-      [](const LeafParameters& p) { return p.veins.wiggle; }, [](LeafParameters& p, double v) { p.veins.wiggle = v; });
+  real("veins.basalAngle", tr("Base angle"), &Veins::basalAngle,
+       {.minimum = 10, .maximum = 90, .decimals = 0, .unit = degree});
+  real("veins.apicalAngle", tr("Tip angle"), &Veins::apicalAngle,
+       {.minimum = 10, .maximum = 90, .decimals = 0, .unit = degree});
+  real("veins.wiggle", tr("Wiggle"), &Veins::wiggle, {.minimum = 0, .maximum = 45, .decimals = 0, .unit = degree});
+  real("veins.firstLateral", tr("First lateral"), &Veins::firstLateral,
+       {.minimum = 0, .maximum = 100, .decimals = 0, .unit = percent}, 100)
+      ->setToolTip(tr("Where along the main vein the laterals begin"));
+  real("veins.lastLateral", tr("Last lateral"), &Veins::lastLateral,
+       {.minimum = 0, .maximum = 100, .decimals = 0, .unit = percent}, 100)
+      ->setToolTip(tr("Where along the main vein the laterals end"));
+  real("veins.stagger", tr("Stagger"), &Veins::stagger, {.minimum = 0, .maximum = 50, .decimals = 0, .unit = percent},
+       100)
+      ->setToolTip(tr("0: laterals in pairs; 50: left and right alternate"));
+  check("veins.leftSide", tr("Left side"), &Veins::leftSide, tr("Laterals to the left, seen from root to tip"));
+  check("veins.rightSide", tr("Right side"), &Veins::rightSide, tr("Laterals to the right, seen from root to tip"));
+  check("veins.bezier", tr("Bézier curves"), &Veins::bezier,
+        tr("Each vein one Bézier curve, as in the thesis: smoother, with less wiggle"));
+  check("veins.micro", tr("Finer veins"), &Veins::micro, tr("Tertiary and micro veins between the laterals"));
+  check("veins.closed", tr("In loops"), &Veins::closed, tr("Finer veins meet; else they end freely"));
+  real("veins.microSpacing", tr("Mesh width"), &Veins::microSpacing,
+       {.minimum = 0.8, .maximum = 8, .decimals = 1, .unit = percent}, 100)
+      ->setToolTip(tr("Distance between finer veins, of the leaf's long side"));
+  connect(veins->addButton(tr("Load vein picture…"), QStringLiteral("vein")), &QPushButton::clicked, this,
+          &LeafInspector::loadVeinsRequested);
+}
 
+void LeafInspector::addDistance() {
+  const model::DistanceCosts defaults;
   FieldGroup* distance = addGroup(QStringLiteral("distance"), tr("Structural distance"));
-  const auto cost = [&](const QString& label, int model::DistanceCosts::*member) {
+  const auto cost = [&](const char* id, const QString& label, int model::DistanceCosts::*member) {
     number(
-        distance, label, {.minimum = 1, .maximum = 32, .defaultValue = double(defaults.costs.*member), .decimals = 0},
+        distance, id, label, {.minimum = 1, .maximum = 32, .defaultValue = double(defaults.*member), .decimals = 0},
         [member](const LeafParameters& p) { return p.costs.*member; },
         [member](LeafParameters& p, double v) { p.costs.*member = int(v); })
         ->setToolTip(tr("Cost of a step; the ratio of the three shapes the distance"));
   };
-  cost(tr("Along a vein"), &model::DistanceCosts::veinVein);
-  cost(tr("Vein to tissue"), &model::DistanceCosts::veinTissue);
-  cost(tr("Through tissue"), &model::DistanceCosts::tissueTissue);
+  cost("costs.veinVein", tr("Along a vein"), &model::DistanceCosts::veinVein);
+  cost("costs.veinTissue", tr("Vein to tissue"), &model::DistanceCosts::veinTissue);
+  cost("costs.tissueTissue", tr("Through tissue"), &model::DistanceCosts::tissueTissue);
+}
 
+void LeafInspector::addRegions() {
+  const model::RegionParameters defaults;
+  FieldGroup* regions = addGroup(QStringLiteral("regions"), tr("Regions"));
+  auto* similarity = regions->add(new ChoiceField(tr("Similarity"), {tr("By shares"), tr("As in the thesis")}, 0));
+  similarity->setToolTip(tr("By shares does not change with the resolution; the thesis compares areas in pixels"));
+  connect(similarity, &ChoiceField::edited, this, [this, similarity](int index) {
+    edit(similarity, [index](LeafParameters& p) { p.regions.scaleFree = index == 0; });
+  });
+  refreshers_.push_back(
+      [similarity](const model::Leaf& leaf) { similarity->setValue(leaf.parameters.regions.scaleFree ? 0 : 1); });
+  number(
+      regions, "regions.best", tr("Best"),
+      {.minimum = 1, .maximum = 100, .defaultValue = 100 * defaults.best, .decimals = 0, .unit = tr("%")},
+      [](const LeafParameters& p) { return 100 * p.regions.best; },
+      [](LeafParameters& p, double v) { p.regions.best = v / 100; })
+      ->setToolTip(tr("Share of the example's regions, most similar first, that one is drawn from"));
+  flag(
+      regions, "regions.hold", tr("Hold choice"), false,
+      tr("All variants take the same regions; only colours are drawn again"),
+      [](const LeafParameters& p) { return p.regions.hold; }, [](LeafParameters& p, bool on) { p.regions.hold = on; });
+  auto* seed = regions->add(new SeedField(tr("Choice seed")));
+  seed->setToolTip(tr("Which regions are chosen where the choice is held"));
+  connect(seed, &SeedField::edited, this,
+          [this, seed](quint64 value) { edit(seed, [value](LeafParameters& p) { p.regions.seed = value; }); });
+  refreshers_.push_back([seed](const model::Leaf& leaf) { seed->setValue(leaf.parameters.regions.seed); });
+}
+
+void LeafInspector::addSynthesis() {
+  const LeafParameters defaults;
+  const QString px = tr("px");
   FieldGroup* synthesis = addGroup(QStringLiteral("synthesis"), tr("Synthesis"));
   auto* method = synthesis->add(
       new ChoiceField(tr("Method"), {tr("Classic"), tr("Guided by veins")}, defaults.synthesis.guided ? 1 : 0));
@@ -85,7 +230,7 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
   refreshers_.push_back(
       [method](const model::Leaf& leaf) { method->setValue(leaf.parameters.synthesis.guided ? 1 : 0); });
   number(
-      synthesis, tr("Texture size"),
+      synthesis, "synthesis.size", tr("Texture size"),
       {.minimum = 128,
        .maximum = 4096,
        .defaultValue = double(defaults.synthesis.size),
@@ -96,7 +241,7 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
       [](const LeafParameters& p) { return p.synthesis.size; },
       [](LeafParameters& p, double v) { p.synthesis.size = int(v); });
   number(
-      synthesis, tr("Superpixels"),
+      synthesis, "synthesis.superpixels", tr("Superpixels"),
       {.minimum = 64,
        .maximum = 32768,
        .defaultValue = double(defaults.synthesis.superpixels),
@@ -106,31 +251,64 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
       [](const LeafParameters& p) { return p.synthesis.superpixels; },
       [](LeafParameters& p, double v) { p.synthesis.superpixels = int(v); });
   number(
-      synthesis, tr("Candidates"),
+      synthesis, "synthesis.candidates", tr("Candidates"),
       {.minimum = 1, .maximum = 64, .defaultValue = double(defaults.synthesis.candidates), .decimals = 0},
       [](const LeafParameters& p) { return p.synthesis.candidates; },
       [](LeafParameters& p, double v) { p.synthesis.candidates = int(v); })
       ->setToolTip(tr("How many of the nearest superpixels one is drawn from: more, the more variants differ"));
   number(
-      synthesis, tr("Smoothing"), {.minimum = 0, .maximum = 4, .defaultValue = defaults.synthesis.smoothing},
+      synthesis, "synthesis.smoothing", tr("Smoothing"),
+      {.minimum = 0, .maximum = 4, .defaultValue = defaults.synthesis.smoothing},
       [](const LeafParameters& p) { return p.synthesis.smoothing; },
       [](LeafParameters& p, double v) { p.synthesis.smoothing = v; });
-
-  connect(&document_, &model::Document::changed, this, [this](const model::Change& change) {
-    if (change.aspect == Aspect::Everything || change.asset == leaf_) refresh();
-  });
-  setEnabled(false);
 }
 
-NumberField* LeafInspector::number(FieldGroup* group, const QString& label, const NumberSpec& spec,
+void LeafInspector::showFound(const model::LeafStages* stages) {
+  const bool contour = stages && stages->reached >= model::Stage::Contour;
+  const bool veins = stages && stages->reached >= model::Stage::Veins;
+  vertices_->setValue(contour ? tr("%1 of %2 border pixels").arg(stages->contour.size()).arg(stages->border.size())
+                              : QString());
+  int byOrder[3] = {0, 0, 0};
+  if (veins) {
+    for (const model::Vein& vein : stages->veins) ++byOrder[std::clamp(vein.order, 1, 3) - 1];
+  }
+  veinsFound_->setValue(veins ? tr("%1 main, %2 lateral, %3 finer").arg(byOrder[0]).arg(byOrder[1]).arg(byOrder[2])
+                              : QString());
+  const model::Leaf* leaf = document_.project().leaf(leaf_);
+  // With a ruler the length is measured, not given.
+  const bool measured = leaf && leaf->ruler.isSet();
+  bladeLength_->setEnabled(!measured);
+  if (measured && contour) bladeLength_->setValue(100 * stages->bladeLength);
+}
+
+CheckField* LeafInspector::flag(FieldGroup* group, const char* id, const QString& label, bool defaultValue,
+                                const QString& help, std::function<bool(const LeafParameters&)> get,
+                                std::function<void(LeafParameters&, bool)> set) {
+  auto* field = group->add(new CheckField(label, defaultValue));
+  field->setToolTip(help);
+  checks_.insert(QString::fromLatin1(id), field);
+  connect(field, &CheckField::edited, this,
+          [this, field, set = std::move(set)](bool on) { edit(field, [&](LeafParameters& p) { set(p, on); }); });
+  refreshers_.push_back([field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
+  return field;
+}
+
+NumberField* LeafInspector::number(FieldGroup* group, const char* id, const QString& label, const NumberSpec& spec,
                                    std::function<double(const LeafParameters&)> get,
                                    std::function<void(LeafParameters&, double)> set) {
   auto* field = group->add(new NumberField(label, spec));
+<<<<<<< HEAD
   connect(field, &NumberField::edited, this, [this, field, set = std::move(set)](double value) {
     edit(field, [&](LeafParameters& p) { set(p, value); });
   });
   refreshers_.push_back(
       [field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
+=======
+  numbers_.insert(QString::fromLatin1(id), field);
+  connect(field, &NumberField::edited, this,
+          [this, field, set = std::move(set)](double value) { edit(field, [&](LeafParameters& p) { set(p, value); }); });
+  refreshers_.push_back([field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
+>>>>>>> 8b6d674 (Leaf tools: line, fill, scribble, ruler, tips, vein pen and edit, region match; fields with legends; masks grown, inverted, split)
   return field;
 }
 
@@ -157,7 +335,12 @@ void LeafInspector::refresh() {
   setEnabled(leaf);
   file_->setValue(leaf ? leaf->photo.name : QString());
   if (!leaf) return;
-  bladeLength_->setValue(100 * leaf->bladeLength);
+  if (!leaf->ruler.isSet()) {
+    bladeLength_->setValue(100 * leaf->bladeLength);
+    bladeLength_->setEnabled(true);
+  }
+  rulerLength_->setValue(100 * leaf->ruler.metres);
+  rulerLength_->setEnabled(leaf->ruler.isSet());
   for (const auto& refreshRow : refreshers_) refreshRow(*leaf);
 }
 

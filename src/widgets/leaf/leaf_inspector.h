@@ -1,15 +1,18 @@
 // The numbers of a leaf, in the order of the work.
 #pragma once
 
+#include <QHash>
 #include <functional>
 
 #include "model/document/document.h"
+#include "model/leaf/stages.h"
 #include "widgets/fields/field_panel.h"
 
 class QLabel;
 
 namespace windfall::widgets {
 
+class CheckField;
 class Field;
 class InfoField;
 class NumberField;
@@ -25,24 +28,44 @@ class LeafInspector : public FieldPanel {
   void setPhotoSize(QSize size);
   SeedField* seed() const { return seed_; }
   NumberField* laterals() const { return laterals_; }
+  /// The number with this id of the project file ("veins.microSpacing"), null: there is none.
+  NumberField* number(const QString& id) const { return numbers_.value(id); }
+  CheckField* check(const QString& id) const { return checks_.value(id); }
+  NumberField* rulerLength() const { return rulerLength_; }
+  NumberField* bladeLength() const { return bladeLength_; }
+  /// What the stages found, for the rows that only tell: vertices, real size, veins.
+  void showFound(const model::LeafStages* stages);
 
  signals:
   void openPhotoRequested();
   void replacePhotoRequested();
+  void loadVeinsRequested();
 
  private:
+  void addSource();
+  void addContour();
+  void addShape();
+  void addVeins();
+  void addDistance();
+  void addRegions();
+  void addSynthesis();
   void refresh();
   /// A row whose value lies in the parameters.
-  NumberField* number(FieldGroup* group, const QString& label, const struct NumberSpec& spec,
+  NumberField* number(FieldGroup* group, const char* id, const QString& label, const struct NumberSpec& spec,
                       std::function<double(const model::LeafParameters&)> get,
                       std::function<void(model::LeafParameters&, double)> set);
+  CheckField* flag(FieldGroup* group, const char* id, const QString& label, bool defaultValue, const QString& help,
+                   std::function<bool(const model::LeafParameters&)> get,
+                   std::function<void(model::LeafParameters&, bool)> set);
   void edit(const Field* field, const std::function<void(model::LeafParameters&)>& change);
 
   model::Document& document_;
   model::AssetId leaf_;
-  InfoField *file_, *size_;
-  NumberField *bladeLength_, *laterals_;
-  SeedField* seed_;
+  InfoField *file_ = nullptr, *size_ = nullptr, *vertices_ = nullptr, *veinsFound_ = nullptr;
+  NumberField *bladeLength_ = nullptr, *laterals_ = nullptr, *rulerLength_ = nullptr;
+  SeedField* seed_ = nullptr;
+  QHash<QString, NumberField*> numbers_;
+  QHash<QString, CheckField*> checks_;
   std::vector<std::function<void(const model::Leaf&)>> refreshers_;
 };
 

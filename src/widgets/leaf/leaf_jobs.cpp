@@ -4,7 +4,9 @@
 #include <QFileInfo>
 
 #include "model/export/exporter.h"
+#include "model/leaf/mask_edit.h"
 #include "model/leaf/variant.h"
+#include "model/leaf/vein_tracing.h"
 
 namespace windfall::widgets {
 
@@ -54,7 +56,12 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
   Leaf snapshot = *leaf;
   snapshot.variants.clear();
   std::shared_ptr<const model::LeafStages> stages;
-  if (known) stages = std::make_shared<model::LeafStages>(*known);
+  if (known) {
+    auto copy = std::make_shared<model::LeafStages>(*known);
+    // Parameters of the choice of colours and shapes may be newer than the stages, which do not depend on them.
+    copy->made = snapshot;
+    stages = std::move(copy);
+  }
   std::vector<Leaf> lenders;
   for (const AssetId lender : leaf->examples) {
     if (const Leaf* example = document_.project().leaf(lender)) {
@@ -108,6 +115,69 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
         document_.setLeaf(id, &Leaf::variants, variants, Aspect::LeafVariants, tr("Make %n variants", nullptr, added));
       });
   connect(job, &model::Job::finished, this, [this] { emit variantsChanged(false); });
+}
+
+void LeafJobs::loadVeins(const QString& path, AssetId id) {
+  const Leaf* leaf = document_.project().leaf(id);
+  if (!leaf) return;
+  Leaf snapshot = *leaf;
+  snapshot.variants.clear();
+  jobs_.start<model::Veins>(
+      tr("Reading veins of %1").arg(QFileInfo(path).fileName()), QStringLiteral("veins"),
+      [snapshot = std::move(snapshot), path](model::Progress& progress) -> Result<model::Veins> {
+        Result<model::SourceFile> source = model::readSourceFile(path);
+        if (!source) return source.error();
+        const Result<QImage> picture = model::readPhoto(*source);
+        if (!picture) return picture.error();
+        const Result<model::LeafStages> stages = model::computeStages(snapshot, model::Stage::Contour, progress);
+        if (!stages) return stages.error();
+        if (picture->size() != stages->photo.size()) {
+          return Error{tr("%1×%2 pixels where the photo has %3×%4")
+                           .arg(picture->width())
+                           .arg(picture->height())
+                           .arg(stages->photo.width())
+                           .arg(stages->photo.height())
+                           .toStdString()};
+        }
+        model::Veins veins = model::readVeinPicture(*picture, {stages->root, stages->tip, stages->petiole});
+        if (veins.empty()) return Error{tr("no line in it").toStdString()};
+        return veins;
+      },
+      [this, id](const model::Veins& veins) {
+        document_.setLeaf(id, &Leaf::veins, veins, Aspect::LeafVeins, tr("Load veins"));
+      });
+}
+
+void LeafJobs::splitLeaves(AssetId id, const QImage& mask) {
+  const Leaf* leaf = document_.project().leaf(id);
+  if (!leaf || mask.isNull()) return;
+  jobs_.start<std::vector<QImage>>(
+      tr("Looking for leaves in %1").arg(leaf->name), QStringLiteral("split"),
+      [photo = leaf->photo, mask](model::Progress&) -> Result<std::vector<QImage>> {
+        const Result<QImage> picture = model::readPhoto(photo);
+        if (!picture) return picture.error();
+        return model::separateLeaves(*picture, mask);
+      },
+      [this, id](const std::vector<QImage>& masks) {
+        const Leaf* now = document_.project().leaf(id);
+        if (!now) return;
+        if (masks.size() < 2) return emit message(tr("There is one leaf in this photo."), false);
+        const Leaf first = *now;
+        document_.undoStack().beginMacro(tr("Separate %n leaves", nullptr, int(masks.size())));
+        document_.paintMask(id, masks.front(), {}, tr("Separate leaves"));
+        for (size_t i = 1; i < masks.size(); ++i) {
+          Leaf another;
+          another.name = first.name;
+          another.photo = first.photo;
+          another.mask = masks[i];
+          another.ruler = first.ruler;
+          another.bladeLength = first.bladeLength;
+          another.parameters = first.parameters;
+          document_.addLeaf(std::move(another));
+        }
+        document_.undoStack().endMacro();
+        emit message(tr("%n leaves stand in the asset list now.", nullptr, int(masks.size())), false);
+      });
 }
 
 void LeafJobs::exportAtlas(const QString& path) {

@@ -23,6 +23,10 @@ class LeafJobs : public QObject {
   /// Appends `count` new textures, with seeds after the largest there is. `known`: stages up to the superpixels if they
   /// are up to date, else null.
   void makeVariants(model::AssetId leaf, int count, const model::LeafStages* known);
+  /// Reads a picture of lines in the photo's size; they become the leaf's own veins.
+  void loadVeins(const QString& path, model::AssetId leaf);
+  /// Makes an asset of each leaf in the photo; `mask` is one of them. One undo step.
+  void splitLeaves(model::AssetId leaf, const QImage& mask);
   /// Packs the kept variants of all leaves into `path` and its description beside it.
   void exportAtlas(const QString& path);
 

@@ -7,6 +7,9 @@ using model::Stage;
 
 namespace {
 
+/// An edit waits so long for the next one, ms: dragging a slider is one computation, not thirty.
+constexpr int kPatience = 40;
+
 /// The stage before; for the photo the photo itself.
 Stage before(Stage stage) { return stage == Stage::Photo ? stage : Stage(int(stage) - 1); }
 
@@ -15,6 +18,25 @@ Stage before(Stage stage) { return stage == Stage::Photo ? stage : Stage(int(sta
 LeafPictures::LeafPictures(model::Document& document, model::JobRunner& jobs, QObject* parent)
     : QObject(parent), document_(document), jobs_(jobs) {
   connect(&document_, &model::Document::changed, this, &LeafPictures::whenChanged);
+  waiting_.setSingleShot(true);
+  waiting_.setInterval(kPatience);
+  connect(&waiting_, &QTimer::timeout, this, &LeafPictures::compute);
+}
+
+void LeafPictures::schedule() { waiting_.start(); }
+
+void LeafPictures::setField(model::LeafField field) {
+  if (field == field_) return;
+  field_ = field;
+  picture_ = {};
+  if (wanted_ == Stage::Distance) compute();
+}
+
+Stage LeafPictures::goal() const {
+  if (wanted_ == Stage::Variants) return Stage::Superpixels;
+  // Direction and side are told region by region.
+  if (wanted_ == Stage::Distance && field_ > model::LeafField::VeinDistance) return Stage::Regions;
+  return wanted_;
 }
 
 void LeafPictures::setLeaf(model::AssetId leaf) {
@@ -23,7 +45,9 @@ void LeafPictures::setLeaf(model::AssetId leaf) {
   ++generation_;
   known_ = false;
   running_ = 0;
-  stages_ = {};
+  waiting_.stop();
+  stages_ = std::make_shared<model::LeafStages>();
+  deepest_.reset();
   automaticMask_ = {};
   photo_ = picture_ = {};
   if (const model::Leaf* shown = this->leaf()) parameters_ = shown->parameters;
@@ -48,7 +72,8 @@ QImage LeafPictures::mask() const {
 StageState LeafPictures::state(Stage stage) const {
   const model::Leaf* shown = leaf();
   if (!shown) return StageState::Unknown;
-  if (known_ && stage > valid_ && stage <= stages_.reached && stage != Stage::Variants) return StageState::OutOfDate;
+  if (known_ && stage > valid_ && deepest_ && stage <= deepest_->reached && stage != Stage::Variants)
+    return StageState::OutOfDate;
   const model::LeafParameters defaults;
   const model::LeafParameters& now = shown->parameters;
   bool edited = false;
@@ -56,10 +81,10 @@ StageState LeafPictures::state(Stage stage) const {
     case Stage::Photo:
       break;
     case Stage::Mask:
-      edited = !shown->mask.isNull();
+      edited = !shown->mask.isNull() || !(now.mask == defaults.mask);
       break;
     case Stage::Contour:
-      edited = shown->root || now.epsilon != defaults.epsilon;
+      edited = shown->root || !shown->tips.empty() || now.epsilon != defaults.epsilon;
       break;
     case Stage::Veins:
       edited = !shown->veins.empty() || !(now.veins == defaults.veins);
@@ -68,7 +93,7 @@ StageState LeafPictures::state(Stage stage) const {
       edited = !(now.costs == defaults.costs);
       break;
     case Stage::Regions:
-      edited = !shown->markers.empty();
+      edited = !shown->markers.empty() || !shown->regionPairs.empty() || !(now.regions == defaults.regions);
       break;
     case Stage::Superpixels:
       edited = now.synthesis.superpixels != defaults.synthesis.superpixels;
@@ -98,13 +123,12 @@ void LeafPictures::whenChanged(const model::Change& change) {
     case Aspect::LeafMask:
       if (known_ && !mask().isNull()) {
         // The artist's mask is at hand, and so is the automatic one after undo.
-        stages_.mask = mask();
         valid_ = Stage::Mask;
         ++generation_;
         running_ = 0;
         emit statesChanged();
         showMask(change.dirty);
-        if (wanted_ != Stage::Mask) compute();
+        if (wanted_ != Stage::Mask) schedule();
       } else {
         invalidate(Stage::Mask);
       }
@@ -133,7 +157,11 @@ void LeafPictures::invalidateParameters() {
   const model::LeafParameters before = std::exchange(parameters_, leaf()->parameters);
   const model::LeafParameters& now = parameters_;
   // The working size is the scale of everything after the veins.
-  if (before.epsilon != now.epsilon) return invalidate(Stage::Contour);
+  if (!(before.mask == now.mask) && leaf()->mask.isNull()) {
+    automaticMask_ = {};
+    return invalidate(Stage::Mask);
+  }
+  if (before.epsilon != now.epsilon || before.shape.vary != now.shape.vary) return invalidate(Stage::Contour);
   if (!(before.veins == now.veins)) return invalidate(Stage::Veins);
   if (!(before.costs == now.costs) || before.synthesis.size != now.synthesis.size) return invalidate(Stage::Distance);
   if (before.synthesis.superpixels != now.synthesis.superpixels) return invalidate(Stage::Superpixels);
@@ -144,14 +172,15 @@ void LeafPictures::invalidate(Stage from) {
   ++generation_;
   running_ = 0;
   emit statesChanged();
-  compute();
+  schedule();
 }
 
 void LeafPictures::compute() {
+  waiting_.stop();
   const model::Leaf* shown = leaf();
   if (!shown) return;
   // The first look at a leaf shows its photo at once; then the stage that is wanted follows.
-  const Stage goal = !known_ ? Stage::Photo : wanted_ == Stage::Variants ? Stage::Superpixels : wanted_;
+  const Stage goal = !known_ ? Stage::Photo : this->goal();
   if (known_ && goal <= valid_ && goal == Stage::Photo) {
     picture_ = {};
     emit pictureChanged();
@@ -162,30 +191,36 @@ void LeafPictures::compute() {
   model::Leaf snapshot = *shown;
   snapshot.variants.clear();
   // The automatic mask is the dearest of the early stages: found once, it is given back.
-  if (snapshot.mask.isNull() && valid_ >= Stage::Mask) snapshot.mask = automaticMask_;
+  if (snapshot.mask.isNull()) snapshot.mask = automaticMask_;
   const bool withPhoto = photo_.isNull();
-  // Another look at a stage that is known needs its picture alone.
-  const bool redraw = known_ && goal <= valid_;
-  const model::LeafStages known = redraw ? stages_ : model::LeafStages{};
+  const Stage picture = !known_ ? Stage::Photo : wanted_;
+  std::shared_ptr<const model::LeafStages> known = known_ ? stages_ : nullptr;
+  if (known && goal > valid_ && deepest_ && goal > known->reached) known = deepest_;
   const QString title = goal == Stage::Photo ? tr("Opening %1").arg(shown->name) : tr("Analysing %1").arg(shown->name);
   const quint64 run = running_ = ++lastRun_;
   model::Job* job = jobs_.start<StageResult>(
       title, QStringLiteral("leaf-stages"),
-      [snapshot = std::move(snapshot), goal, withPhoto, redraw, known](model::Progress& progress) {
+      [snapshot = std::move(snapshot), goal, picture, withPhoto, known = std::move(known),
+       enough = known_ && goal <= valid_, field = field_](model::Progress& progress) {
         StageResult result;
         result.stage = goal;
-        if (redraw) {
-          result.stages = known;
-        } else {
-          Result<model::LeafStages> stages = model::computeStages(snapshot, goal, progress);
+        result.shown = picture;
+        result.field = field;
+        result.stages = known;
+        // Another look at a stage that is known needs its picture alone.
+        if (!enough) {
+          Result<model::LeafStages> stages = model::computeStages(snapshot, goal, progress, known.get());
           if (!stages) return Result<StageResult>(stages.error());
-          result.stages = std::move(*stages);
+          result.stages = std::make_shared<model::LeafStages>(std::move(*stages));
         }
-        if (withPhoto) result.photo = MipImage(result.stages.photo);
-        if (goal == Stage::Mask) {
-          result.picture = MipImage(maskTint(result.stages.mask, result.stages.mask.rect()));
-        } else if (goal != Stage::Photo) {
-          result.picture = MipImage(model::stagePicture(result.stages, goal));
+        const model::LeafStages& stages = *result.stages;
+        if (withPhoto) result.photo = MipImage(stages.photo);
+        if (picture == Stage::Mask) {
+          result.picture = MipImage(maskTint(stages.mask, stages.mask.rect()));
+        } else if (picture == Stage::Distance) {
+          result.picture = MipImage(model::fieldPicture(stages, field, result.scale));
+        } else if (picture != Stage::Photo && picture != Stage::Variants) {
+          result.picture = MipImage(model::stagePicture(stages, picture));
         }
         return Result<StageResult>(std::move(result));
       },
@@ -209,18 +244,15 @@ void LeafPictures::take(StageResult result, quint64 generation) {
     photo_ = std::move(result.photo);
     emit photoChanged();
   }
-  const bool more = first || result.stages.reached >= stages_.reached || result.stage > valid_;
-  if (more) {
-    const Stage reached = std::max(stages_.reached, result.stage);
-    stages_ = std::move(result.stages);
-    stages_.reached = reached;
-  }
+  // What was computed less far than what is known says nothing new, unless it is newer.
+  if (first || result.stages->reached >= stages_->reached || result.stage > valid_) stages_ = result.stages;
   known_ = true;
   valid_ = first ? result.stage : std::max(valid_, result.stage);
-  if (valid_ >= Stage::Mask && shown->mask.isNull()) automaticMask_ = stages_.mask;
-  const Stage goal = wanted_ == Stage::Variants ? Stage::Superpixels : wanted_;
-  if (result.stage == goal) {
-    picture_ = wanted_ == Stage::Variants ? MipImage() : std::move(result.picture);
+  if (valid_ >= Stage::Mask && shown->mask.isNull()) automaticMask_ = stages_->mask;
+  if (!deepest_ || stages_->reached >= deepest_->reached) deepest_ = stages_;
+  if (result.shown == wanted_ && valid_ >= goal() && (wanted_ != Stage::Distance || result.field == field_)) {
+    picture_ = std::move(result.picture);
+    scale_ = result.scale;
     emit pictureChanged();
   } else {
     compute();

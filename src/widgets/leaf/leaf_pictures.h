@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 
 #include "model/document/document.h"
 #include "model/document/job.h"
+#include "model/leaf/field_picture.h"
 #include "model/leaf/stages.h"
 #include "widgets/leaf/mip_image.h"
 
@@ -16,10 +18,13 @@ enum class StageState { Unknown, Automatic, Edited, OutOfDate };
 
 /// What one run of the background work gives.
 struct StageResult {
-  model::LeafStages stages;
-  MipImage photo;    ///< null when it was known already
-  MipImage picture;  ///< of the stage asked for; null for the photo
-  model::Stage stage = model::Stage::Photo;
+  std::shared_ptr<const model::LeafStages> stages;
+  MipImage photo;                            ///< null when it was known already
+  MipImage picture;                          ///< of the stage asked for; null for the photo
+  model::FieldScale scale;                   ///< of the field, at Stage::Distance
+  model::Stage stage = model::Stage::Photo;  ///< how far it was computed
+  model::Stage shown = model::Stage::Photo;  ///< whose picture it is
+  model::LeafField field = model::LeafField::Structural;
 };
 
 /// Follows the document: an edit makes what depends on it out of date, and it is computed anew when it is wanted. Old
@@ -36,16 +41,23 @@ class LeafPictures : public QObject {
   void want(model::Stage stage);
   model::Stage wanted() const { return wanted_; }
 
+  /// Which field Stage::Distance shows.
+  void setField(model::LeafField field);
+  model::LeafField field() const { return field_; }
+  const model::FieldScale& scale() const { return scale_; }
+
   StageState state(model::Stage stage) const;
   bool isUpToDate(model::Stage stage) const { return known_ && stage <= valid_; }
   /// What is known, perhaps out of date; null before the first result.
-  const model::LeafStages* stages() const { return known_ ? &stages_ : nullptr; }
+  const model::LeafStages* stages() const { return known_ ? stages_.get() : nullptr; }
+  /// The last result that went farthest, for a computation that goes on from it; null: none.
+  std::shared_ptr<const model::LeafStages> deepestStages() const { return known_ ? deepest_ : nullptr; }
   const MipImage& photo() const { return photo_; }
   /// Of the wanted stage, or the one before it until it is there; null for Photo and Variants.
   const MipImage& picture() const { return picture_; }
   /// The artist's mask, or the automatic one; null until it is known.
   QImage mask() const;
-  bool isComputing() const { return running_ != 0; }
+  bool isComputing() const { return running_ != 0 || waiting_.isActive(); }
 
   /// Dims what is not leaf: premultiplied, `part` of the mask.
   static QImage maskTint(const QImage& mask, QRect part);
@@ -61,7 +73,10 @@ class LeafPictures : public QObject {
   void whenChanged(const model::Change& change);
   void invalidate(model::Stage from);
   void invalidateParameters();
+  /// Soon, and once for many edits in a row.
+  void schedule();
   void compute();
+  model::Stage goal() const;
   void take(StageResult result, quint64 generation);
   void showMask(QRect part);
 
@@ -70,7 +85,12 @@ class LeafPictures : public QObject {
   model::AssetId id_;
   model::Stage wanted_ = model::Stage::Photo;
   model::Stage valid_ = model::Stage::Photo;  ///< the last stage that is up to date, if known_
-  model::LeafStages stages_;
+  std::shared_ptr<const model::LeafStages> stages_ = std::make_shared<model::LeafStages>();
+  /// The last result that went farthest: what it found later than the present ones reach is looked at again.
+  std::shared_ptr<const model::LeafStages> deepest_;
+  model::LeafField field_ = model::LeafField::Structural;
+  model::FieldScale scale_;
+  QTimer waiting_;
   model::LeafParameters parameters_;  ///< as of the last look
   QImage automaticMask_;
   MipImage photo_, picture_;

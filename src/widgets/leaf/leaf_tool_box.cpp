@@ -6,8 +6,9 @@
 
 namespace windfall::widgets {
 
-LeafToolBox::LeafToolBox(model::Document& document, LeafPictures& pictures, ImagePane& pane, QObject* parent)
-    : QObject(parent), document_(document), pictures_(pictures), pane_(pane), tools_(makeLeafTools()) {
+LeafToolBox::LeafToolBox(model::Document& document, model::JobRunner& jobs, LeafPictures& pictures, ImagePane& pane,
+                         QObject* parent)
+    : QObject(parent), document_(document), jobs_(jobs), pictures_(pictures), pane_(pane), tools_(makeLeafTools()) {
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     const Tool& tool = *tools_[i];
     auto* action = new QAction(icon(tool.id()), tool.title(), this);
@@ -35,10 +36,17 @@ LeafToolBox::LeafToolBox(model::Document& document, LeafPictures& pictures, Imag
   pane_.setToolPainter([this](QPainter& painter) {
     if (pictures_.leaf()) current().paint(painter, *this);
   });
+  pane_.setToolKeys([this] { return pictures_.leaf() && current().takesKeys(); },
+                    [this](int key, Qt::KeyboardModifiers modifiers) {
+                      return pictures_.leaf() && current().takesKeys() && current().key(key, modifiers, *this);
+                    });
   chooseIndex(0);
 }
 
-LeafToolBox::~LeafToolBox() { pane_.setToolPainter({}); }
+LeafToolBox::~LeafToolBox() {
+  pane_.setToolPainter({});
+  pane_.setToolKeys({}, {});
+}
 
 Tool* LeafToolBox::tool(const QString& id) const {
   for (const auto& tool : tools_) {
@@ -92,6 +100,48 @@ std::vector<QPointF> LeafToolBox::currentMarkers() const {
   if (shown && !shown->markers.empty()) return shown->markers;
   const model::LeafStages* stages = pictures_.stages();
   return stages ? stages->markers : std::vector<QPointF>();
+}
+
+std::vector<QPointF> LeafToolBox::currentTips() const {
+  const model::Leaf* shown = pictures_.leaf();
+  if (shown && !shown->tips.empty()) return shown->tips;
+  const model::LeafStages* stages = pictures_.stages();
+  if (!stages || stages->reached < model::Stage::Contour) return {};
+  return {stages->tip};
+}
+
+model::Veins LeafToolBox::currentVeins() const {
+  const model::Leaf* shown = pictures_.leaf();
+  if (shown && !shown->veins.empty()) return shown->veins;
+  const model::LeafStages* stages = pictures_.stages();
+  return stages && stages->reached >= model::Stage::Veins ? stages->veins : model::Veins();
+}
+
+void LeafToolBox::computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) {
+  const model::AssetId id = leaf();
+  const QImage base = pictures_.mask();
+  // A second edit of the same leaf makes the first one's result stale; a scribble knows of those before it.
+  jobs_.start<QImage>(text, QStringLiteral("mask-edit:%1").arg(id.value), std::move(work),
+                      [this, id, text, base](const QImage& mask) {
+                        if (leaf() != id) return document_.paintMask(id, mask, {}, text);
+                        // A stroke that was painted meanwhile stays.
+                        QImage merged = pictures_.mask().copy();
+                        if (merged.size() != mask.size() || base.size() != mask.size()) return;
+                        for (int y = 0; y < mask.height(); ++y) {
+                          const uchar *was = base.constScanLine(y), *is = mask.constScanLine(y);
+                          uchar* now = merged.scanLine(y);
+                          for (int x = 0; x < mask.width(); ++x) {
+                            if (is[x] != was[x]) now[x] = is[x];
+                          }
+                        }
+                        document_.paintMask(id, merged, {}, text);
+                      });
+}
+
+void LeafToolBox::editMask(const QString& text, std::function<QImage(const QImage&)> edit) {
+  const QImage mask = pictures_.mask();
+  if (!pictures_.leaf() || mask.isNull()) return;
+  computeMask(text, [mask, edit = std::move(edit)](model::Progress&) -> Result<QImage> { return edit(mask); });
 }
 
 void LeafToolBox::previewMask(const QImage& mask, QRect dirty) {

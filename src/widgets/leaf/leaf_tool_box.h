@@ -3,9 +3,12 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "model/document/job.h"
 #include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/tools/tool.h"
@@ -15,7 +18,8 @@ namespace windfall::widgets {
 class LeafToolBox : public QObject, private ToolHost {
   Q_OBJECT
  public:
-  LeafToolBox(model::Document& document, LeafPictures& pictures, ImagePane& pane, QObject* parent = nullptr);
+  LeafToolBox(model::Document& document, model::JobRunner& jobs, LeafPictures& pictures, ImagePane& pane,
+              QObject* parent = nullptr);
   ~LeafToolBox() override;
 
   QList<QAction*> actions() const { return actions_; }
@@ -27,8 +31,12 @@ class LeafToolBox : public QObject, private ToolHost {
   /// [ and ]: a tenth larger or smaller, one pixel at least.
   void resizeTool(int direction);
   void setToolSize(double size);
+  /// Another mask, computed in the background from the shown one, as one undo step.
+  void editMask(const QString& text, std::function<QImage(const QImage&)> edit);
 
  signals:
+  /// The region tool waits for a click in the example, or no longer.
+  void regionChosen(std::optional<QPointF> target);
   void toolChanged();
   /// The tool works on this stage: it should be seen.
   void stageNeeded(windfall::model::Stage stage);
@@ -41,11 +49,17 @@ class LeafToolBox : public QObject, private ToolHost {
   QImage currentMask() const override { return pictures_.mask(); }
   std::optional<QPointF> currentRoot() const override;
   std::vector<QPointF> currentMarkers() const override;
+  std::vector<QPointF> currentTips() const override;
+  model::Veins currentVeins() const override;
+  const model::LeafStages* stages() const override { return pictures_.stages(); }
+  void computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) override;
+  void chooseRegion(std::optional<QPointF> target) override { emit regionChosen(target); }
   void previewMask(const QImage& mask, QRect dirty) override;
   double pixelSize() const override { return 1 / pane_.zoom(); }
   void requestUpdate() override { pane_.update(); }
 
   model::Document& document_;
+  model::JobRunner& jobs_;
   LeafPictures& pictures_;
   ImagePane& pane_;
   std::vector<std::unique_ptr<Tool>> tools_;

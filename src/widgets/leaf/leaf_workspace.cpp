@@ -2,17 +2,21 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineF>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "model/leaf/mask_edit.h"
 #include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_jobs.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
+#include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/variant_strip.h"
 #include "widgets/look/empty_state.h"
@@ -39,10 +43,16 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
   buildCanvas(window);
   inspector_ = new LeafInspector(context.document, window);
   strip_ = new VariantStrip(context.document, window);
-  toolBox_ = new LeafToolBox(context.document, *pictures_, *pane_, this);
+  toolBox_ = new LeafToolBox(context.document, context.jobs, *pictures_, *pane_, this);
 
   connect(toolBox_, &LeafToolBox::stageNeeded, this, &LeafWorkspace::setStage);
-  connect(toolBox_, &LeafToolBox::toolChanged, this, &LeafWorkspace::updateStatus);
+  connect(toolBox_, &LeafToolBox::toolChanged, this, [this] {
+    match_->setActive(toolBox_->current().id() == QLatin1String("link"));
+    updateStatus();
+  });
+  connect(toolBox_, &LeafToolBox::regionChosen, match_, &RegionMatchView::choose);
+  connect(match_, &RegionMatchView::pictureChanged, this, &LeafWorkspace::updatePicture);
+  connect(stageBar_, &StageBar::fieldChanged, this, [this] { pictures_->setField(stageBar_->field()); });
   connect(stageBar_, &StageBar::chosen, this, &LeafWorkspace::setStage);
   connect(stageBar_, &StageBar::opacityChanged, this, [this] { updatePicture(); });
   connect(pictures_, &LeafPictures::photoChanged, this, [this] {
@@ -59,6 +69,8 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
     pane_->replaceOverlay(LeafPictures::maskTint(pictures_->mask(), part), part.topLeft());
   });
   connect(pictures_, &LeafPictures::statesChanged, this, &LeafWorkspace::updateStates);
+  connect(pictures_, &LeafPictures::statesChanged, this, [this] { inspector_->showFound(pictures_->stages()); });
+  connect(inspector_, &LeafInspector::loadVeinsRequested, this, &LeafWorkspace::loadVeins);
   connect(pane_, &ImagePane::pointed, this, [this](QPointF at) {
     pointer_ = at;
     updateStatus();
@@ -107,8 +119,16 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
                                stack_);
   connect(empty->addButton(tr("Open a leaf photo…"), {}, true), &QPushButton::clicked, this, &LeafWorkspace::add);
   pane_ = new ImagePane(stack_);
+  match_ = new RegionMatchView(context_.document, context_.jobs, *pictures_, stack_);
+  auto* sideBySide = new QSplitter(Qt::Horizontal, stack_);
+  sideBySide->setChildrenCollapsible(false);
+  sideBySide->addWidget(pane_);
+  sideBySide->addWidget(match_);
+  sideBySide->setStretchFactor(0, 3);
+  sideBySide->setStretchFactor(1, 2);
+  match_->hide();
   stack_->addWidget(empty);
-  stack_->addWidget(pane_);
+  stack_->addWidget(sideBySide);
   column->addWidget(stageBar_);
   column->addWidget(stack_, 1);
   canvas_->setFocusProxy(pane_);
@@ -140,16 +160,69 @@ void LeafWorkspace::fillMenu(QMenu& menu) {
   add(tr("Fit the Picture"), QStringLiteral("frame"), QStringLiteral("2"), [this] { pane_->fit(); });
   add(tr("Fit the Width"), {}, QStringLiteral("3"), [this] { pane_->fitWidth(); });
   menu.addSeparator();
+  addMaskActions(*menu.addMenu(icon(QStringLiteral("mask")), tr("Mas&k")));
+  addVeinActions(*menu.addMenu(icon(QStringLiteral("vein")), tr("&Veins")));
   add(tr("Automatic Mask"), QStringLiteral("mask"), {},
       [this] { resetMark(&Leaf::mask, Aspect::LeafMask, tr("Automatic mask")); });
   add(tr("Automatic Root"), QStringLiteral("root"), {},
       [this] { resetMark(&Leaf::root, Aspect::LeafRoot, tr("Automatic root")); });
+  add(tr("Automatic Tips"), QStringLiteral("tip"), {},
+      [this] { resetMark(&Leaf::tips, Aspect::LeafRoot, tr("Automatic tips")); });
   add(tr("Automatic Regions"), QStringLiteral("marker"), {},
       [this] { resetMark(&Leaf::markers, Aspect::LeafMarkers, tr("Automatic regions")); });
   menu.addSeparator();
   add(tr("&Make Variants"), QStringLiteral("dice"), QStringLiteral("Ctrl+Return"),
       [this] { strip_->makeButton()->click(); });
   add(tr("Export &Atlas…"), QStringLiteral("atlas"), {}, [this] { exportResult(true); });
+}
+
+void LeafWorkspace::addMaskActions(QMenu& menu) {
+  const auto add = [&](const QString& text, const QString& keys, std::function<QImage(const QImage&)> edit) {
+    QAction* action = menu.addAction(text);
+    action->setShortcut(QKeySequence(keys));
+    connect(action, &QAction::triggered, this, [this, text, edit = std::move(edit)] {
+      setStage(Stage::Mask);
+      QString plain = text;
+      toolBox_->editMask(plain.remove(QLatin1Char('&')), edit);
+    });
+  };
+  // A step that is seen on a large photo and not too much on a small one.
+  const auto step = [](const QImage& mask) { return std::max(1, std::max(mask.width(), mask.height()) / 600); };
+  add(tr("&Grow"), QStringLiteral("Ctrl+Alt+]"),
+      [step](const QImage& mask) { return model::grownMask(mask, step(mask)); });
+  add(tr("&Shrink"), QStringLiteral("Ctrl+Alt+["),
+      [step](const QImage& mask) { return model::grownMask(mask, -step(mask)); });
+  add(tr("&Invert"), QStringLiteral("Ctrl+Shift+I"), [](const QImage& mask) { return model::invertedMask(mask); });
+  add(tr("&Fill Holes"), {}, [](const QImage& mask) { return model::filledMask(mask); });
+  menu.addSeparator();
+  QAction* split = menu.addAction(tr("&Separate Several Leaves"));
+  split->setToolTip(tr("Makes a leaf asset of each leaf in the photo"));
+  connect(split, &QAction::triggered, this, [this] { jobs_->splitLeaves(leaf(), pictures_->mask()); });
+}
+
+void LeafWorkspace::addVeinActions(QMenu& menu) {
+  connect(menu.addAction(tr("&Load Vein Picture…")), &QAction::triggered, this, &LeafWorkspace::loadVeins);
+  connect(menu.addAction(tr("From the &Photo")), &QAction::triggered, this, [this] {
+    const Leaf* shown = pictures_->leaf();
+    if (!shown) return;
+    setStage(Stage::Veins);
+    model::LeafParameters parameters = shown->parameters;
+    parameters.veins.fromPhoto = true;
+    context_.document.undoStack().beginMacro(tr("Veins of the photo"));
+    resetMark(&Leaf::veins, Aspect::LeafVeins, tr("Veins of the photo"));
+    context_.document.setLeaf(leaf(), &Leaf::parameters, parameters, Aspect::LeafParameters, tr("Veins of the photo"));
+    context_.document.undoStack().endMacro();
+  });
+  connect(menu.addAction(tr("&Automatic")), &QAction::triggered, this,
+          [this] { resetMark(&Leaf::veins, Aspect::LeafVeins, tr("Automatic veins")); });
+}
+
+void LeafWorkspace::loadVeins() {
+  if (!pictures_->leaf()) return;
+  const QString path = askForPhoto(tr("Load Vein Picture"));
+  if (path.isEmpty()) return;
+  setStage(Stage::Veins);
+  jobs_->loadVeins(path, leaf());
 }
 
 void LeafWorkspace::deactivate() { toolBox_->cancel(); }
@@ -168,6 +241,8 @@ void LeafWorkspace::show(AssetId id) {
 
 void LeafWorkspace::setStage(Stage stage) {
   stageBar_->setStage(stage);
+  // Regions are matched on their own stage alone.
+  if (match_->isActive() && stage != Stage::Regions) toolBox_->choose(QStringLiteral("hand"));
   variantsShown_ = stage == Stage::Variants;
   pictures_->want(stage);
   updatePicture();
@@ -185,13 +260,21 @@ void LeafWorkspace::updatePicture() {
   const bool alone = variantsShown_ && shown && !shown->variants.empty();
   pane_->setBaseVisible(!alone);
   if (alone) {
+    pane_->setLegend({});
     const int chosen = std::clamp(strip_->current(), 0, int(shown->variants.size()) - 1);
     pane_->setOverlayOpacity(1);
     pane_->setOverlay(MipImage(shown->variants[std::size_t(chosen)].image));
     return;
   }
   pane_->setOverlayOpacity(stageBar_->opacity());
-  pane_->setOverlay(variantsShown_ ? MipImage() : pictures_->picture());
+  const bool matching = match_->isActive() && !match_->targetPicture().isNull();
+  pane_->setOverlay(variantsShown_ ? MipImage() : matching ? match_->targetPicture() : pictures_->picture());
+  const model::LeafStages* known = pictures_->stages();
+  const bool field =
+      pictures_->wanted() == Stage::Distance && known && !variantsShown_ && !pictures_->scale().ramp.empty();
+  const double blade = field ? QLineF(known->root, known->tip).length() * known->scale : 0;
+  pane_->setLegend(field ? legendOf(pictures_->field(), pictures_->scale(), blade / std::max(1e-6, known->bladeLength))
+                         : Legend());
 }
 
 void LeafWorkspace::updateStatus() {
@@ -242,6 +325,7 @@ void LeafWorkspace::exportResult(bool elsewhere) {
 QJsonObject LeafWorkspace::saveView() const {
   QJsonObject view{{QStringLiteral("leaf"), QString::number(leaf().value)},
                    {QStringLiteral("stage"), int(variantsShown_ ? Stage::Variants : pictures_->wanted())},
+                   {QStringLiteral("field"), int(stageBar_->field())},
                    {QStringLiteral("opacity"), stageBar_->opacity()}};
   if (!pane_->isFitted()) {
     view[QStringLiteral("zoom")] = pane_->zoom();
@@ -254,6 +338,8 @@ QJsonObject LeafWorkspace::saveView() const {
 void LeafWorkspace::restoreView(const QJsonObject& view) {
   const AssetId id{view[QStringLiteral("leaf")].toString().toULongLong()};
   if (context_.document.project().leaf(id)) show(id);
+  stageBar_->setField(
+      model::LeafField(std::clamp(view[QStringLiteral("field")].toInt(0), 0, int(model::LeafField::Margin))));
   const int stage = view[QStringLiteral("stage")].toInt(-1);
   if (stage >= 0 && stage <= int(Stage::Variants)) setStage(Stage(stage));
   if (view.contains(QStringLiteral("opacity"))) stageBar_->setOpacity(view[QStringLiteral("opacity")].toDouble());
@@ -265,7 +351,7 @@ void LeafWorkspace::restoreView(const QJsonObject& view) {
 
 bool LeafWorkspace::isSettled() const {
   if (!pictures_->leaf()) return true;
-  return !pictures_->isComputing() && !pane_->base().isNull();
+  return !pictures_->isComputing() && !match_->isComputing() && !pane_->base().isNull();
 }
 
 }  // namespace windfall::widgets

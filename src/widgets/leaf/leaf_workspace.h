@@ -13,6 +13,7 @@ class LeafInspector;
 class LeafJobs;
 class LeafPictures;
 class LeafToolBox;
+class RegionMatchView;
 class StageBar;
 class VariantStrip;
 
@@ -45,6 +46,7 @@ class LeafWorkspace : public Workspace {
   LeafPictures& pictures() { return *pictures_; }
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
+  RegionMatchView& regionMatch() { return *match_; }
   LeafInspector& numbers() { return *inspector_; }
 
  private:
@@ -54,6 +56,9 @@ class LeafWorkspace : public Workspace {
   void updatePicture();
   void updateStatus();
   void makeVariants(int count);
+  void addMaskActions(QMenu& menu);
+  void addVeinActions(QMenu& menu);
+  void loadVeins();
   template <class T>
   void resetMark(T model::Leaf::*mark, model::Aspect aspect, const QString& text);
 
@@ -66,6 +71,7 @@ class LeafWorkspace : public Workspace {
   StageBar* stageBar_;
   ImagePane* pane_;
   LeafToolBox* toolBox_;
+  RegionMatchView* match_;
   LeafInspector* inspector_;
   VariantStrip* strip_;
   QPointF pointer_;

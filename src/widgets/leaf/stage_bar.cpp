@@ -4,7 +4,9 @@
 #include <QLabel>
 #include <QPainter>
 
+#include "widgets/fields/choice_field.h"
 #include "widgets/fields/slider.h"
+#include "widgets/leaf/legend.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 
@@ -109,7 +111,7 @@ class Separator : public QWidget {
 
 }  // namespace
 
-StageBar::StageBar(QWidget* parent) : QWidget(parent), opacity_(new Slider(this)) {
+StageBar::StageBar(QWidget* parent) : QWidget(parent), opacity_(new Slider(this)), field_(new ComboBox(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * kGrid, kGrid, 3 * kGrid, kGrid);
   row->setSpacing(0);
@@ -122,6 +124,12 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent), opacity_(new Slider(this)
     connect(chip, &QAbstractButton::clicked, this, [this, i] { emit chosen(Stage(i)); });
   }
   row->addStretch(1);
+  for (int i = 0; i <= int(model::LeafField::Margin); ++i) field_->addItem(fieldTitle(model::LeafField(i)));
+  field_->setToolTip(tr("Which field is laid over the photo"));
+  field_->hide();
+  row->addWidget(field_);
+  row->addSpacing(3 * kGrid);
+  connect(field_, &QComboBox::currentIndexChanged, this, &StageBar::fieldChanged);
   auto* label = new QLabel(tr("Overlay"), this);
   label->setProperty("hint", true);
   label->setMinimumWidth(0);
@@ -135,7 +143,14 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent), opacity_(new Slider(this)
   setStage(Stage::Photo);
 }
 
-void StageBar::setStage(Stage stage) { chip(stage)->setChecked(true); }
+void StageBar::setStage(Stage stage) {
+  chip(stage)->setChecked(true);
+  field_->setVisible(stage == Stage::Distance);
+}
+
+model::LeafField StageBar::field() const { return model::LeafField(std::max(0, field_->currentIndex())); }
+
+void StageBar::setField(model::LeafField field) { field_->setCurrentIndex(int(field)); }
 
 void StageBar::setState(Stage stage, StageState state) { chip(stage)->setState(state); }
 

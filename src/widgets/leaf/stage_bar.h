@@ -5,10 +5,12 @@
 #include <QWidget>
 #include <vector>
 
+#include "model/leaf/field_picture.h"
 #include "widgets/leaf/leaf_pictures.h"
 
 namespace windfall::widgets {
 
+class ComboBox;
 class Slider;
 
 /// A stage's name with its dot: filled accent for automatic, a ring for edited by hand, orange for out of date.
@@ -37,10 +39,15 @@ class StageBar : public QWidget {
   double opacity() const;
   void setOpacity(double opacity);
   static QString title(model::Stage stage);
+  /// Which field Stage::Distance shows; the choice is offered there alone.
+  model::LeafField field() const;
+  void setField(model::LeafField field);
+  ComboBox* fieldBox() const { return field_; }
 
  signals:
   void chosen(windfall::model::Stage stage);
   void opacityChanged(double opacity);
+  void fieldChanged();
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -48,6 +55,7 @@ class StageBar : public QWidget {
  private:
   std::vector<StageChip*> chips_;
   Slider* opacity_;
+  ComboBox* field_;
 };
 
 }  // namespace windfall::widgets

@@ -7,6 +7,7 @@
 #include <QRect>
 #include <QString>
 #include <Qt>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,6 +40,18 @@ class ToolHost {
   /// Root and region markers as used now: the artist's, or the automatic ones. Null and empty until they are computed.
   virtual std::optional<QPointF> currentRoot() const = 0;
   virtual std::vector<QPointF> currentMarkers() const = 0;
+  /// Main tips and veins as used now; empty until they are computed.
+  virtual std::vector<QPointF> currentTips() const { return {}; }
+  virtual model::Veins currentVeins() const { return {}; }
+  /// What is known of the leaf, perhaps out of date; null before the first result.
+  virtual const model::LeafStages* stages() const { return nullptr; }
+  /// Computes another mask in the background (`work` owns all it touches) and paints it as one undo step.
+  virtual void computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) {
+    model::Progress progress;
+    if (Result<QImage> mask = work(progress)) document().paintMask(leaf(), *mask, {}, text);
+  }
+  /// The region of this leaf that the next click in the example pairs with; absent: none.
+  virtual void chooseRegion(std::optional<QPointF>) {}
   /// Draws an unfinished stroke without touching the document; a null image ends it.
   virtual void previewMask(const QImage& mask, QRect dirty) = 0;
   /// Photo pixels that a screen pixel covers, for handles and hit tests.
@@ -67,6 +80,9 @@ class Tool {
   virtual void release(const ToolEvent&, ToolHost&) {}
   /// Esc, a change of tool, another leaf, closing: back to where the stroke began.
   virtual void cancel(ToolHost&) {}
+  /// Whether the tool uses Delete, + and − and Alt+1 to 4; true from `key`: it did.
+  virtual bool takesKeys() const { return false; }
+  virtual bool key(int, Qt::KeyboardModifiers, ToolHost&) { return false; }
   /// Brush circle, handles; photo coordinates.
   virtual void paint(QPainter&, const ToolHost&) const {}
 };

@@ -27,9 +27,17 @@ std::vector<std::unique_ptr<Tool>> makeLeafTools() {
   tools.push_back(std::make_unique<MoveTool>());
   tools.push_back(makeBrush(false));
   tools.push_back(makeBrush(true));
+  tools.push_back(makeLineTool());
+  tools.push_back(makeFillTool());
   tools.push_back(makeLasso());
+  tools.push_back(makeScribbleTool());
+  tools.push_back(makeRulerTool());
   tools.push_back(makeRootTool());
+  tools.push_back(makeTipTool());
+  tools.push_back(makeVeinPen());
+  tools.push_back(makeVeinEditTool());
   tools.push_back(makeMarkerTool());
+  tools.push_back(makeLinkTool());
   return tools;
 }
 
