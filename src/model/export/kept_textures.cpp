@@ -19,8 +19,7 @@ Result<std::vector<LeafTexture>> keptTextures(const Leaf& leaf, Progress& progre
     const QSize size = variant.image.size();
     textures.push_back(uprightTexture(QStringLiteral("%1 %2").arg(leaf.name).arg(i + 1, 3, 10, QLatin1Char('0')),
                                       variant.image, variant.root.value_or(stages->toVariant(stages->root, size)),
-                                      variant.tip.value_or(stages->toVariant(stages->tip, size)),
-                                      stages->bladeLength));
+                                      variant.tip.value_or(stages->toVariant(stages->tip, size)), stages->bladeLength));
   }
   return textures;
 }

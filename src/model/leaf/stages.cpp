@@ -17,6 +17,7 @@
 #include "model/leaf/vein_extraction.h"
 #include "model/leaf/vein_growth.h"
 #include "model/leaf/vein_micro.h"
+#include "model/leaf/vein_root.h"
 #include "model/leaf/vein_tracing.h"
 
 namespace windfall::model {
@@ -198,7 +199,8 @@ class Computation {
 
   Result<bool> contour() {
     const bool sameMask = has(Stage::Contour) && known_->mask.cacheKey() == result_.mask.cacheKey();
-    const bool sameAxis = sameMask && known_->made.root == leaf_.root && known_->made.tips == leaf_.tips;
+    const bool sameAxis = sameMask && known_->photo.cacheKey() == result_.photo.cacheKey() &&
+                          known_->made.root == leaf_.root && known_->made.tips == leaf_.tips;
     const double epsilon = leaf_.parameters.epsilon > 0
                                ? leaf_.parameters.epsilon
                                : std::max(result_.photo.width(), result_.photo.height()) / 256.0;
@@ -213,7 +215,10 @@ class Computation {
       if (leaf_.root && !QRectF(result_.photo.rect()).contains(*leaf_.root)) {
         return Error{"the root lies outside the picture"};
       }
-      const LeafAxis axis = findAxis(result_.mask, result_.border, leaf_.root);
+      LeafAxis axis = findAxis(result_.mask, result_.border, leaf_.root);
+      if (!leaf_.root && axis.petiole.empty()) {
+        axis = rootByVeins(result_.photo, result_.mask, result_.border, axis);
+      }
       result_.root = axis.root;
       result_.tip = leaf_.tips.empty() ? axis.tip : leaf_.tips.front();
       result_.petiole = axis.petiole;

@@ -7,47 +7,13 @@
 #include <queue>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/vein_ridges_private.h"
 
 namespace windfall::model {
 
 namespace {
 
 constexpr int kWorkSide = 512;
-
-/// Strength of ridges, bright (sign 1) or dark (-1), over three scales (Hessian).
-cv::Mat1f ridges(const cv::Mat1f& lightness, float sign) {
-  cv::Mat1f strength = cv::Mat1f::zeros(lightness.size());
-  for (const double sigma : {1.2, 2.0, 3.0}) {
-    cv::Mat1f smooth, xx, yy, xy;
-    cv::GaussianBlur(lightness, smooth, {}, sigma);
-    cv::Sobel(smooth, xx, CV_32F, 2, 0, 3, 0.25);
-    cv::Sobel(smooth, yy, CV_32F, 0, 2, 3, 0.25);
-    cv::Sobel(smooth, xy, CV_32F, 1, 1, 3, 0.25);
-    for (int y = 0; y < strength.rows; ++y) {
-      for (int x = 0; x < strength.cols; ++x) {
-        const float mean = 0.5f * (xx(y, x) + yy(y, x));
-        const float half = std::hypot(0.5f * (xx(y, x) - yy(y, x)), xy(y, x));
-        const float across = sign * (sign > 0 ? mean - half : mean + half);  // strongest curvature, negative on a ridge
-        const float along = std::abs(sign > 0 ? mean + half : mean - half);
-        strength(y, x) = std::max(strength(y, x), static_cast<float>(sigma * sigma) * std::max(0.f, -across - along));
-      }
-    }
-  }
-  return strength;
-}
-
-float quantile(const cv::Mat1f& field, const cv::Mat1b& where, double share) {
-  std::vector<float> values;
-  for (int y = 0; y < field.rows; ++y) {
-    for (int x = 0; x < field.cols; ++x) {
-      if (where(y, x)) values.push_back(field(y, x));
-    }
-  }
-  if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 /// How many pixels pass each pixel on their cheapest way to the root.
 cv::Mat1i votes(const cv::Mat1f& cost, const cv::Mat1b& leaf, cv::Point root) {
@@ -97,24 +63,7 @@ std::vector<Tissue> extractVeins(const QImage& photo, std::vector<Tissue> types,
   cv::Mat1b leaf;
   cv::resize(leafFull, leaf, lab.size(), 0, 0, cv::INTER_AREA);
   leaf = leaf > 127;
-  cv::Mat1f lightness, wide, weight;
-  cv::extractChannel(lab, lightness, 0);
-  // The ground must not look like a ridge beside the margin: outside, the leaf's own surroundings are continued.
-  leaf.convertTo(weight, CV_32F, 1 / 255.0);
-  cv::Mat1f masked = lightness.mul(weight);
-  cv::GaussianBlur(masked, wide, {}, 8);
-  cv::GaussianBlur(weight, weight, {}, 8);
-  wide /= cv::max(weight, 1e-3);
-  lightness -= wide;
-  lightness.setTo(0, ~leaf);
-  cv::Mat1f depth;
-  cv::distanceTransform(leaf, depth, cv::DIST_L2, 3);
-  const cv::Mat1b inner = depth > 4;
-  cv::Mat1f bright = ridges(lightness, 1), dark = ridges(lightness, -1);
-  const float brightTop = quantile(bright, inner, 0.995), darkTop = quantile(dark, inner, 0.995);
-  cv::Mat1f ridge = brightTop >= 0.8f * darkTop ? bright : dark;
-  ridge /= std::max(1e-4f, brightTop >= 0.8f * darkTop ? brightTop : darkTop);
-  ridge.setTo(0, ~inner);
+  const cv::Mat1f ridge = veinRidges(lab, leaf).strength;
   cv::Mat1f cost(ridge.size());
   for (int y = 0; y < cost.rows; ++y) {
     for (int x = 0; x < cost.cols; ++x) cost(y, x) = 1 / (0.04f + std::min(1.f, ridge(y, x)));

@@ -164,8 +164,8 @@ Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis&
     if (free && chosen.size() <= most) chosen.push_back(place);
   };
   for (const Tip& tip : tips) add(tip.place);
-  if (mains > 1 && chosen.size() <= most) {
-    // An outline without so many tips: the border is shared out by angle.
+  // An outline without so many tips: the border is shared out by angle, more and more narrowly.
+  for (; mains > 1 && chosen.size() <= most && apart > 3; apart *= 0.75) {
     for (size_t i = 0; i < border.size(); i += std::max<size_t>(1, border.size() / 400)) {
       const double distance = length(border[i] - axis.root);
       if (distance > 0.3 * reach && grid.straightShare(axis.root, border[i]) > 0.97) add(border[i]);

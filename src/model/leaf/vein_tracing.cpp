@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kWorkSide = 640;
 constexpr float kGapCost = 6;         // a step off the lines, in steps on them
+constexpr int kLook = 9;              // px before and after a fork that tell where a vein goes on
 constexpr double kWidestGap = 0.035;  // share of the picture's long side that is bridged
 
 double length(QPointF v) { return std::hypot(v.x(), v.y()); }
@@ -39,7 +40,34 @@ class SkeletonTree {
   const std::vector<std::vector<int>>& children() const { return children_; }
   cv::Point at(int pixel) const { return {pixel % skeleton_.cols, pixel / skeleton_.cols}; }
 
+  /// The child that goes on as the same vein: far, straight ahead, and wide. -1: the vein ends.
+  int onwards(int pixel) const {
+    const std::vector<int>& children = children_[static_cast<size_t>(pixel)];
+    if (children.empty()) return -1;
+    if (children.size() == 1) return children.front();
+    int behind = pixel;
+    for (int i = 0; i < kLook && parent(behind) >= 0; ++i) behind = parent(behind);
+    const cv::Point2d back = cv::Point2d(at(pixel) - at(behind));
+    int best = -1;
+    double most = -1;
+    for (const int child : children) {
+      int ahead = child;
+      for (int i = 0; i < kLook && !children_[static_cast<size_t>(ahead)].empty(); ++i) ahead = farthest(ahead);
+      const cv::Point2d on = cv::Point2d(at(ahead) - at(pixel));
+      const double both = cv::norm(on) * cv::norm(back);
+      const double straight = both > 0 ? std::max(0.0, on.dot(back) / both) : 0.5;
+      const double score = beyond(child) * (0.3 + 0.7 * straight) * std::sqrt(1.0 + radius(ahead));
+      if (score > most) most = score, best = child;
+    }
+    return best;
+  }
+
  private:
+  int farthest(int pixel) const {
+    const std::vector<int>& children = children_[static_cast<size_t>(pixel)];
+    return *std::max_element(children.begin(), children.end(), [this](int a, int b) { return beyond(a) < beyond(b); });
+  }
+
   void walk(cv::Point root) {
     using Item = std::pair<float, int>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -173,10 +201,7 @@ Veins traceVeins(const QImage& picture, QPointF root, QPointF origin, double sca
       stairs.push_back(toPhoto(pixel));
       radii.push_back(tree.radius(pixel));
       walked += 1;
-      int onwards = -1;
-      for (const int child : tree.children()[static_cast<size_t>(pixel)]) {
-        if (onwards < 0 || tree.beyond(child) > tree.beyond(onwards)) onwards = child;
-      }
+      const int onwards = tree.onwards(pixel);
       for (const int child : tree.children()[static_cast<size_t>(pixel)]) {
         if (child == onwards) continue;
         const double far = tree.beyond(child);

@@ -289,7 +289,8 @@ CheckField* LeafInspector::flag(FieldGroup* group, const char* id, const QString
   checks_.insert(QString::fromLatin1(id), field);
   connect(field, &CheckField::edited, this,
           [this, field, set = std::move(set)](bool on) { edit(field, [&](LeafParameters& p) { set(p, on); }); });
-  refreshers_.push_back([field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
+  refreshers_.push_back(
+      [field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
   return field;
 }
 
@@ -297,18 +298,12 @@ NumberField* LeafInspector::number(FieldGroup* group, const char* id, const QStr
                                    std::function<double(const LeafParameters&)> get,
                                    std::function<void(LeafParameters&, double)> set) {
   auto* field = group->add(new NumberField(label, spec));
-<<<<<<< HEAD
+  numbers_.insert(QString::fromLatin1(id), field);
   connect(field, &NumberField::edited, this, [this, field, set = std::move(set)](double value) {
     edit(field, [&](LeafParameters& p) { set(p, value); });
   });
   refreshers_.push_back(
       [field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
-=======
-  numbers_.insert(QString::fromLatin1(id), field);
-  connect(field, &NumberField::edited, this,
-          [this, field, set = std::move(set)](double value) { edit(field, [&](LeafParameters& p) { set(p, value); }); });
-  refreshers_.push_back([field, get = std::move(get)](const model::Leaf& leaf) { field->setValue(get(leaf.parameters)); });
->>>>>>> 8b6d674 (Leaf tools: line, fill, scribble, ruler, tips, vein pen and edit, region match; fields with legends; masks grown, inverted, split)
   return field;
 }
 
