@@ -67,8 +67,8 @@ std::optional<cv::Point> meetingPlace(const VeinRidges& ridges, const cv::Mat1b&
   double second = 0;
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
-      const bool far = std::hypot(x - place.x, y - place.y) * cell > 0.14 * std::max(leaf.cols, leaf.rows);
-      if (far) second = std::max(second, static_cast<double>(score(y, x)));
+      const bool apart = std::hypot(x - place.x, y - place.y) * cell > 0.14 * std::max(leaf.cols, leaf.rows);
+      if (apart) second = std::max(second, static_cast<double>(score(y, x)));
     }
   }
   int sides = 0;

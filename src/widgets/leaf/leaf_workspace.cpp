@@ -90,6 +90,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
   connect(jobs_, &LeafJobs::photoOpened, this, [this](AssetId id) {
     show(id);
     setStage(Stage::Mask);
+    jobs_->offerSplit(id);
   });
   connect(&context_.document, &model::Document::changed, this, [this](const model::Change& change) {
     const std::vector<Leaf>& leaves = context_.document.project().leaves;
