@@ -196,9 +196,9 @@ void LeafJobs::offerSplit(AssetId id) {
       },
       [this](int count) {
         if (count < 2) return;
-        emit message(tr("This photo shows %n leaves: Leaf › Mask › Separate Several Leaves makes an asset of each.",
-                        nullptr, count),
-                     false);
+        emit message(
+            tr("This photo shows %n leaves: Leaf › Separate Several Leaves makes an asset of each.", nullptr, count),
+            false);
       });
 }
 
