@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cmath>
 
 #include "model/leaf/vein.h"
 #include "support/leaf_fixture.h"
@@ -37,6 +38,19 @@ class LeafCliTest : public QObject {
     QImage flat(100, 100, QImage::Format_RGB32);
     flat.fill(Qt::gray);
     QVERIFY(flat.save(at("flat.png")));
+    QVERIFY(QImage(1, 1, QImage::Format_RGB32).save(at("one.png")));
+    QImage huge(20000, 20000, QImage::Format_Mono);
+    huge.fill(0);
+    QVERIFY(huge.save(at("huge.png")));
+    QImage lines(painted.photo.size(), QImage::Format_Grayscale8);
+    lines.fill(0);
+    QVERIFY(lines.save(at("no_lines.png")));
+    QPainter painter(&lines);
+    painter.setPen(QPen(Qt::white, 4));
+    painter.drawLine(painted.root, painted.tip);
+    painter.drawLine(0.5 * (painted.root + painted.tip), 0.5 * (painted.root + painted.tip) + QPointF(40, -30));
+    painter.end();
+    QVERIFY(lines.save(at("lines.png")));
     QFile garbage(at("garbage.jpg"));
     QVERIFY(garbage.open(QIODevice::WriteOnly));
     garbage.write("no picture");
@@ -100,6 +114,28 @@ class LeafCliTest : public QObject {
     QVERIFY(qRed(old.pixel(middle)) > qGreen(old.pixel(middle)));
   }
 
+  void veinsDrawnElsewhereAreTaken() {
+    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("drawn"), "--veins", at("lines.png"), "--ruler",
+                          "0,0,100,0,0.05", "--variants", "0", "--size", "128"})
+                 .status,
+             0);
+    const QJsonArray veins = QJsonDocument::fromJson(bytesOf(at("drawn/veins.json"))).object()["veins"].toArray();
+    QCOMPARE(veins.size(), 2);
+    QCOMPARE(veins[1].toObject()["order"].toInt(), 2);
+    const QJsonObject contour = QJsonDocument::fromJson(bytesOf(at("drawn/contour.json"))).object();
+    const QJsonArray root = contour["root"].toArray(), tip = contour["tip"].toArray();
+    const double pixels = std::hypot(root[0].toDouble() - tip[0].toDouble(), root[1].toDouble() - tip[1].toDouble());
+    QVERIFY(std::abs(contour["bladeLength"].toDouble() - 0.05 * pixels / 100) < 1e-4);
+  }
+
+  void aBareMaskTakesItsColoursFromAnExample() {
+    QCOMPARE(windfallRun({"leaf", at("mask.png"), "-o", at("bare"), "--example", at("leaf.png"), "--variants", "1",
+                          "--size", "128", "--vary"})
+                 .status,
+             0);
+    QVERIFY(!QImage(at("bare/variant_000.png")).isNull());
+  }
+
   void packsAFolderOfVariants() {
     QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("pack"), "--variants", "2", "--size", "128"}).status, 0);
     QCOMPARE(windfallRun({"atlas", at("pack"), "-o", at("atlas"), "--size", "256", "--padding", "8"}).status, 0);
@@ -128,6 +164,13 @@ class LeafCliTest : public QObject {
     };
     row("no photo", 1, {"leaf", at("none.jpg"), "-o", at("bad")});
     row("not a picture", 1, {"leaf", at("garbage.jpg"), "-o", at("bad")});
+    row("one pixel", 1, {"leaf", at("one.png"), "-o", at("bad")});
+    row("veins of another size", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--veins", at("small.png")});
+    row("veins without a line", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--veins", at("no_lines.png")});
+    row("markers without a spot", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--markers", at("no_lines.png")});
+    row("huge", 1, {"leaf", at("huge.png"), "-o", at("bad")});
+    row("folder cannot be made", 1, {"leaf", at("leaf.png"), "-o", "/dev/full/bad", "--variants", "0", "--size", "64"});
+    row("ruler of one place", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--ruler", "1,1,1,1,0.1"});
     row("no leaf in it", 1, {"leaf", at("flat.png"), "-o", at("bad")});
     row("mask of another size", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--mask", at("small.png")});
     row("root outside", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--root", "4000,3"});

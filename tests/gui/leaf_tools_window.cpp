@@ -108,13 +108,13 @@ class LeafToolsWindow : public QObject {
     QVERIFY(settle());
     QCOMPARE(maskAt(300, 400), 255);
     QVERIFY(maskAt(20, 600) < 128);
-    QVERIFY(trigger(QStringLiteral("Invert")));
+    QVERIFY(trigger(QStringLiteral("Invert Mask")));
     QVERIFY(settle());
     QCOMPARE(maskAt(300, 400), 0);
-    QVERIFY(trigger(QStringLiteral("Invert")));
+    QVERIFY(trigger(QStringLiteral("Invert Mask")));
     QVERIFY(settle());
     const QImage mask = leaf_->pictures().mask();
-    QVERIFY(trigger(QStringLiteral("Grow")));
+    QVERIFY(trigger(QStringLiteral("Grow Mask")));
     QVERIFY(settle());
     QVERIFY(leaf_->pictures().mask() != mask);
   }

@@ -218,23 +218,49 @@ void settleMargin(cv::Mat3f lab, float lightness, cv::Mat1b& mask, int reach) {
   }
 }
 
-/// Holes that look like ground stay; what only looks different (a pale midrib, a lesion, glare) is filled.
-void fillFalseHoles(const cv::Mat1f& field, float level, cv::Mat1b& mask) {
+/// Lightness counts half: a hole may lie in the leaf's shadow.
+float hueDistance(const cv::Vec3f& a, const cv::Vec3f& b) {
+  const cv::Vec3f d = a - b;
+  return std::sqrt(0.25f * d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+/// Holes that look like ground stay; what only looks different (a pale midrib, a lesion, glare) is filled. `field` and
+/// `lab` have the mask's size, `scale` work pixels of the ground are one of theirs.
+void fillFalseHoles(const cv::Mat1f& field, float level, const cv::Mat3f& lab, const Ground& ground, double scale,
+                    cv::Mat1b& mask) {
   cv::Mat1i labels, stats;
   cv::Mat1d centres;
   const cv::Mat1b background = ~mask;
   const int count = cv::connectedComponentsWithStats(background, labels, stats, centres, 4);
   std::vector<double> sum(static_cast<size_t>(count), 0);
+  std::vector<cv::Vec3d> colour(static_cast<size_t>(count), cv::Vec3d(0, 0, 0));
   for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) sum[static_cast<size_t>(labels(y, x))] += field(y, x);
+    for (int x = 0; x < mask.cols; ++x) {
+      const auto label = static_cast<size_t>(labels(y, x));
+      sum[label] += field(y, x);
+      colour[label] += cv::Vec3d(lab(y, x));
+    }
   }
   const double least = 1.2e-5 * mask.rows * mask.cols;
   for (int i = 1; i < count; ++i) {
     const int left = stats(i, cv::CC_STAT_LEFT), top = stats(i, cv::CC_STAT_TOP);
-    const bool closed = left > 0 && top > 0 && left + stats(i, cv::CC_STAT_WIDTH) < mask.cols &&
-                        top + stats(i, cv::CC_STAT_HEIGHT) < mask.rows;
+    const cv::Rect box(left, top, stats(i, cv::CC_STAT_WIDTH), stats(i, cv::CC_STAT_HEIGHT));
+    if (left <= 0 || top <= 0 || box.br().x >= mask.cols || box.br().y >= mask.rows) continue;
     const double area = stats(i, cv::CC_STAT_AREA);
-    if (closed && (area < least || sum[static_cast<size_t>(i)] / area > 0.62 * level)) mask.setTo(255, labels == i);
+    bool filled = area < least || sum[static_cast<size_t>(i)] / area > 0.62 * level;
+    if (!filled) {
+      // Between ground and the leaf around it, its colour must lie on the ground's side.
+      const int reach = std::max(3, std::min(box.width, box.height) / 2);
+      const cv::Rect around = cv::Rect(box.x - reach, box.y - reach, box.width + 2 * reach, box.height + 2 * reach) &
+                              cv::Rect(0, 0, mask.cols, mask.rows);
+      const cv::Scalar mean = cv::mean(lab(around), mask(around));
+      const cv::Vec3f leaf(static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]));
+      const cv::Vec3f own(colour[static_cast<size_t>(i)] / area);
+      const cv::Vec3f earth =
+          ground.at(static_cast<int>(centres(i, 0) * scale), static_cast<int>(centres(i, 1) * scale));
+      filled = hueDistance(own, earth) > 0.45f * hueDistance(leaf, earth);
+    }
+    if (filled) mask.setTo(255, labels == i);
   }
 }
 
@@ -331,7 +357,8 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   progress.report(0.5);
   if (progress.cancelled()) return Error{"cancelled", true};
 
-  fillFalseHoles(best->field, best->threshold + 0.5f * static_cast<float>(best->contrast) * 0.5f, leaf);
+  const float level = best->threshold + 0.25f * static_cast<float>(best->contrast);
+  fillFalseHoles(best->field, level, lab, ground, 1, leaf);
   cv::Mat1b mask;
   cv::resize(leaf, mask, full.size(), 0, 0, cv::INTER_LINEAR);
   cv::threshold(mask, mask, 127, 255, cv::THRESH_BINARY);
@@ -340,7 +367,7 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   mask = bestComponent(mask, share);
   cv::Mat1f field;
   cv::resize(best->field, field, full.size(), 0, 0, cv::INTER_LINEAR);
-  fillFalseHoles(field, best->threshold + 0.25f * static_cast<float>(best->contrast), mask);
+  fillFalseHoles(field, level, full, ground, scale, mask);
   progress.report(1);
   return toGray(mask);
 }

@@ -177,6 +177,26 @@ Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis&
   return chosen;
 }
 
+/// Tips all round where the root lies in the middle of the blade (a peltate leaf: nasturtium, lotus); else none.
+Polygon tipsAllRound(const Polygon& border, const LeafAxis& axis) {
+  constexpr int kRays = 8;
+  const double reach = length(axis.tip - axis.root);
+  double nearest = reach;
+  for (const QPointF& p : border) nearest = std::min(nearest, length(p - axis.root));
+  if (nearest < 0.4 * reach) return {};
+  Polygon tips;
+  const QLineF first(axis.root, axis.tip);
+  for (int k = 1; k < kRays; ++k) {
+    const auto off = [&](const QPointF& p) {
+      const double angle = std::abs(first.angleTo(QLineF(axis.root, p)) - 360.0 * k / kRays);
+      return std::min(angle, 360 - angle);
+    };
+    tips.push_back(*std::min_element(border.begin(), border.end(),
+                                     [&](const QPointF& a, const QPointF& b) { return off(a) < off(b); }));
+  }
+  return tips;
+}
+
 bool crosses(const Polygon& line, const Polygon& other) {
   for (size_t i = 1; i < line.size(); ++i) {
     const QLineF a(line[i - 1], line[i]);
@@ -204,7 +224,8 @@ class Grower {
   Veins grow() {
     Polygon tips = tips_;
     if (tips.empty()) {
-      tips = furtherTips(grid_, border_, axis_, parameters_.mains);
+      if (parameters_.mains == 0) tips = tipsAllRound(border_, axis_);
+      if (tips.empty()) tips = furtherTips(grid_, border_, axis_, parameters_.mains);
       tips.insert(tips.begin(), axis_.tip);
     }
     for (size_t i = 0; i < tips.size(); ++i) addMain(tips[i], i == 0);

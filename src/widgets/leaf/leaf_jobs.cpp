@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "model/export/exporter.h"
+#include "model/leaf/mask.h"
 #include "model/leaf/mask_edit.h"
 #include "model/leaf/variant.h"
 #include "model/leaf/vein_tracing.h"
@@ -177,6 +178,27 @@ void LeafJobs::splitLeaves(AssetId id, const QImage& mask) {
         }
         document_.undoStack().endMacro();
         emit message(tr("%n leaves stand in the asset list now.", nullptr, int(masks.size())), false);
+      });
+}
+
+void LeafJobs::offerSplit(AssetId id) {
+  const Leaf* leaf = document_.project().leaf(id);
+  if (!leaf || !leaf->mask.isNull()) return;
+  jobs_.start<int>(
+      tr("Looking for leaves in %1").arg(leaf->name), QStringLiteral("offer-split"),
+      [photo = leaf->photo](model::Progress& progress) -> Result<int> {
+        const Result<QImage> picture = model::readPhoto(photo);
+        if (!picture) return picture.error();
+        const Result<QImage> mask = model::automaticMask(*picture, {}, progress);
+        // What is wrong with it is said where it is looked at.
+        if (!mask) return 0;
+        return static_cast<int>(model::separateLeaves(*picture, *mask).size());
+      },
+      [this](int count) {
+        if (count < 2) return;
+        emit message(
+            tr("This photo shows %n leaves: Leaf › Separate Several Leaves makes an asset of each.", nullptr, count),
+            false);
       });
 }
 

@@ -27,6 +27,8 @@ class LeafJobs : public QObject {
   void loadVeins(const QString& path, model::AssetId leaf);
   /// Makes an asset of each leaf in the photo; `mask` is one of them. One undo step.
   void splitLeaves(model::AssetId leaf, const QImage& mask);
+  /// Says so where the photo of a new leaf shows several.
+  void offerSplit(model::AssetId leaf);
   /// Packs the kept variants of all leaves into `path` and its description beside it.
   void exportAtlas(const QString& path);
 

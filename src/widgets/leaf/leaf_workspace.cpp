@@ -105,6 +105,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
   connect(jobs_, &LeafJobs::photoOpened, this, [this](AssetId id) {
     show(id);
     setStage(Stage::Mask);
+    jobs_->offerSplit(id);
   });
   connect(&context_.document, &model::Document::changed, this, [this](const model::Change& change) {
     const std::vector<Leaf>& leaves = context_.document.project().leaves;
@@ -179,8 +180,9 @@ void LeafWorkspace::fillMenu(QMenu& menu) {
   add(tr("Fit the Picture"), QStringLiteral("frame"), QStringLiteral("2"), [this] { pane_->fit(); });
   add(tr("Fit the Width"), {}, QStringLiteral("3"), [this] { pane_->fitWidth(); });
   menu.addSeparator();
-  addMaskActions(*menu.addMenu(icon(QStringLiteral("mask")), tr("Mas&k")));
-  addVeinActions(*menu.addMenu(icon(QStringLiteral("vein")), tr("&Veins")));
+  addMaskActions(menu);
+  addVeinActions(menu);
+  menu.addSeparator();
   add(tr("Automatic Mask"), QStringLiteral("mask"), {},
       [this] { resetMark(&Leaf::mask, Aspect::LeafMask, tr("Automatic mask")); });
   add(tr("Automatic Root"), QStringLiteral("root"), {},
@@ -207,13 +209,12 @@ void LeafWorkspace::addMaskActions(QMenu& menu) {
   };
   // A step that is seen on a large photo and not too much on a small one.
   const auto step = [](const QImage& mask) { return std::max(1, std::max(mask.width(), mask.height()) / 600); };
-  add(tr("&Grow"), QStringLiteral("Ctrl+Alt+]"),
+  add(tr("&Grow Mask"), QStringLiteral("Ctrl+Alt+]"),
       [step](const QImage& mask) { return model::grownMask(mask, step(mask)); });
-  add(tr("&Shrink"), QStringLiteral("Ctrl+Alt+["),
+  add(tr("Shrin&k Mask"), QStringLiteral("Ctrl+Alt+["),
       [step](const QImage& mask) { return model::grownMask(mask, -step(mask)); });
-  add(tr("&Invert"), QStringLiteral("Ctrl+Shift+I"), [](const QImage& mask) { return model::invertedMask(mask); });
-  add(tr("&Fill Holes"), {}, [](const QImage& mask) { return model::filledMask(mask); });
-  menu.addSeparator();
+  add(tr("&Invert Mask"), QStringLiteral("Ctrl+Shift+I"), [](const QImage& mask) { return model::invertedMask(mask); });
+  add(tr("&Fill Holes of the Mask"), {}, [](const QImage& mask) { return model::filledMask(mask); });
   QAction* split = menu.addAction(tr("&Separate Several Leaves"));
   split->setToolTip(tr("Makes a leaf asset of each leaf in the photo"));
   connect(split, &QAction::triggered, this, [this] { jobs_->splitLeaves(leaf(), pictures_->mask()); });
@@ -221,7 +222,7 @@ void LeafWorkspace::addMaskActions(QMenu& menu) {
 
 void LeafWorkspace::addVeinActions(QMenu& menu) {
   connect(menu.addAction(tr("&Load Vein Picture…")), &QAction::triggered, this, &LeafWorkspace::loadVeins);
-  connect(menu.addAction(tr("From the &Photo")), &QAction::triggered, this, [this] {
+  connect(menu.addAction(tr("Veins from the &Photo")), &QAction::triggered, this, [this] {
     const Leaf* shown = pictures_->leaf();
     if (!shown) return;
     setStage(Stage::Veins);
@@ -232,7 +233,7 @@ void LeafWorkspace::addVeinActions(QMenu& menu) {
     context_.document.setLeaf(leaf(), &Leaf::parameters, parameters, Aspect::LeafParameters, tr("Veins of the photo"));
     context_.document.undoStack().endMacro();
   });
-  connect(menu.addAction(tr("&Automatic")), &QAction::triggered, this,
+  connect(menu.addAction(tr("Automatic &Veins")), &QAction::triggered, this,
           [this] { resetMark(&Leaf::veins, Aspect::LeafVeins, tr("Automatic veins")); });
 }
 

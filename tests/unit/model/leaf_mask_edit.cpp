@@ -100,6 +100,56 @@ class LeafMaskEdit : public QObject {
     QCOMPARE(refinedMask(broken, photo, {}), broken);
   }
 
+  void shadowsRulersAndNeighboursNeedAtMostOneStroke_data() {
+    QTest::addColumn<int>("shape");
+    for (int shape = 0; shape < 4; ++shape) QTest::addRow("shape %d", shape) << shape;
+  }
+  void shadowsRulersAndNeighboursNeedAtMostOneStroke() {
+    QFETCH(int, shape);
+    const PaintedPhoto painted = paintLeafPhoto({static_cast<LeafShape>(shape), 0.2, 0.7}, 17, 400);
+    QImage photo = rgba(painted.photo);
+    const QColor paper = photo.pixelColor(4, photo.height() / 2);
+    // A hard shadow beside the leaf, in uneven light.
+    for (int y = 0; y < photo.height(); ++y) {
+      for (int x = 0; x < photo.width(); ++x) {
+        const QPoint from(x - 14, y - 8);
+        const bool leaf = painted.mask.constScanLine(y)[x] > 127;
+        const bool shadow = !leaf && painted.mask.valid(from) && painted.mask.constScanLine(from.y())[from.x()] > 127;
+        const double light = (shadow ? 0.6 : 1.0) * (1 - 0.25 * x / photo.width());
+        for (int c = 0; c < 3; ++c) {
+          uchar& value = photo.scanLine(y)[4 * x + c];
+          value = static_cast<uchar>(value * light);
+        }
+      }
+    }
+    QPainter painter(&photo);
+    // A printed ruler along the lower edge, and a bit of a neighbour in a corner.
+    painter.fillRect(10, photo.height() - 16, photo.width() - 20, 12, paper.lighter(112));
+    for (int x = 12; x < photo.width() - 12; x += 6) painter.fillRect(x, photo.height() - 16, 1, 7, Qt::black);
+    painter.setBrush(QColor(66, 110, 44));
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(QPoint(0, 0), 34, 26);
+    painter.end();
+    Progress progress;
+    const Result<QImage> found = automaticMask(photo, {}, progress);
+    QVERIFY2(found, found ? "" : found.error().message.c_str());
+    double iou = test::overlap(*found, painted.mask);
+    if (iou < 0.85) {
+      // One stroke along the shadow says that it is none of the leaf.
+      Scribble stroke{{}, 6, false};
+      const QPointF middle = 0.5 * (painted.root + painted.tip);
+      for (double t = 0; t < 200; t += 4) {
+        const QPoint p = (middle + QPointF(t, 0)).toPoint();
+        if (!painted.mask.valid(p)) break;
+        if (painted.mask.constScanLine(p.y())[p.x()] > 127) continue;
+        stroke.points = {p + QPointF(4, -30), p + QPointF(7, 0), p + QPointF(4, 40)};
+        break;
+      }
+      iou = test::overlap(refinedMask(*found, photo, {stroke}), painted.mask);
+    }
+    QVERIFY2(iou >= 0.85, qPrintable(QString::number(iou)));
+  }
+
   void severalLeavesBecomeSeveralMasks() {
     const PaintedPhoto one = paintLeafPhoto({}, 3, 220), two = paintLeafPhoto({static_cast<LeafShape>(1)}, 8, 200);
     QImage sheet(480, 260, QImage::Format_RGBA8888);
