@@ -12,12 +12,18 @@ layout(location = 5) out float highlight;
 layout(location = 6) out vec3 around;
 layout(location = 7) out vec3 behind;
 layout(location = 8) out vec4 air;
+layout(location = 9) out float barkRepeats;
+layout(location = 10) out vec4 barkTint;
+layout(location = 11) out vec4 dataColor;
 
 void main() {
   Corner at = corner();
   worldPosition = at.position;
   worldNormal = at.normal;
   textureUv = at.bark;
+  barkRepeats = 0.0;
+  barkTint = unpackUnorm4x8(at.tint);
+  dataColor = vec4(0.0);
   // Unrolled: the noise runs round and along every branch alike.
   restPosition = vec3(at.round.x, at.bark.y * 6.28318531, at.round.y) * 0.12;
   restNormal = vec3(at.round.x, 0.0, at.round.y);
