@@ -45,6 +45,7 @@ struct CoupledSolver {
   template <class R>
   using Move = CoupledMove<R>;
   static constexpr std::uint32_t kConstants = kCoupledConstants, kVariables = kCoupledVariables;
+  static constexpr bool kBase = false;
 
   /// Loads and the joint's answer to them, all children being summed in `children`; what goes to the parent.
   template <class R, class T, class Constants, class Variables>
@@ -62,7 +63,7 @@ struct CoupledSolver {
     const V3<R> biasForce = children.biasForce + drag;
     const V3<R> biasTorque = children.biasTorque + V3<R>{-(half * drag.y), half * drag.x, R(0.0f)};
 
-    const V3<R> bending = bendingTorque(constant, turn, angle, torque, R(step.saturation));
+    const V3<R> bending = saturated(constant, jointTorque(constant, turn, angle, torque), R(step.saturation));
     const R k = constant.get(kBending), b = constant.get(kBendingSpeed);
     const V3<R> right{bending.x - k * angle.x - b * speed.x - biasTorque.x,
                       bending.y - k * angle.y - b * speed.y - biasTorque.y,

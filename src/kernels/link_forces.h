@@ -36,6 +36,7 @@ struct ForcesSolver {
     static constexpr std::uint32_t kFields = 0;
   };
   static constexpr std::uint32_t kConstants = kForcesConstants, kVariables = kForcesVariables;
+  static constexpr bool kBase = false;
 
   template <class R, class T, class Constants, class Variables>
   WINDFALL_HD static ForcesSum<R> up(const Constants& constant, const Variables& variable, const LinkStep<T>&,
@@ -54,7 +55,7 @@ struct ForcesSolver {
   template <class R, class T, class Constants, class Variables>
   WINDFALL_HD static Move<R> down(const Constants& constant, const Variables& variable, const LinkStep<T>& step,
                                   const Pose<R>& parent, const Move<R>&, Pose<R>& pose) {
-    const V3<R> torque = vectorAt<R>(variable, kForcesTorque);
+    const V3<R> torque = saturated(constant, vectorAt<R>(variable, kForcesTorque), R(step.saturation));
     V3<R> angle = vectorAt<R>(variable, kAngle), speed = vectorAt<R>(variable, kSpeed);
     // -mu w |w| with |w| of the step's start is a damping, whatever the speed.
     const R quadratic = R(constant.get(kQuadraticDamping)) * squareRoot(dotOf(speed, speed));

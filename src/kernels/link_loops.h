@@ -21,7 +21,7 @@ struct LinkPasses {
 /// The passes as compiled for one instruction set.
 struct LinkLoops {
   const char* name;  ///< "x86-64-v4"
-  LinkPasses coupled, modal, forces;
+  LinkPasses coupled, modal, axis, forces;
 };
 
 /// The best of this machine.

@@ -43,6 +43,16 @@ void upPass(const LinkSlots<float>& slots, const LinkStep<float>& step, std::uin
   }
 }
 
+WINDFALL_INLINE Pose<Lanes> posesAt(const float* poses, const std::uint32_t* index) {
+  Rows<kRow> rows;
+  rows.template read<false>(poses, index);
+  const auto vector = [&](int at) { return V3<Lanes>{rows.field[at], rows.field[at + 1], rows.field[at + 2]}; };
+  return {{rows.field[0], rows.field[1], rows.field[2], rows.field[3]},
+          vector(kPosePlace),
+          vector(kPoseVelocity),
+          vector(kPoseSpin)};
+}
+
 template <class Solver>
 void downPass(const LinkSlots<float>& slots, const LinkStep<float>& step, std::uint32_t begin, std::uint32_t end) {
   using Move = typename Solver::template Move<Lanes>;
@@ -51,18 +61,22 @@ void downPass(const LinkSlots<float>& slots, const LinkStep<float>& step, std::u
     const std::size_t block = first / kSlotBlock, lane = first % kSlotBlock;
     const LaneConstants constant{slots.constants + block * Solver::kConstants * kSlotBlock + lane};
     const LaneFields variable{slots.state + block * Solver::kVariables * kSlotBlock + lane};
-    Rows<kRow> rows;
-    rows.template read<false>(slots.after, slots.parent + first);
-    const auto vector = [&](int at) { return V3<Lanes>{rows.field[at], rows.field[at + 1], rows.field[at + 2]}; };
-    const Pose<Lanes> parent{{rows.field[0], rows.field[1], rows.field[2], rows.field[3]},
-                             vector(kPosePlace),
-                             vector(kPoseVelocity),
-                             vector(kPoseSpin)};
-    Rows<kMoveRow> moved;
-    if constexpr (Move::kFields > 0) moved.template read<false>(slots.moves, slots.parent + first);
+    const Pose<Lanes> parent = posesAt(slots.after, slots.parent + first);
     Pose<Lanes> pose;
-    const Move move = Solver::template down<Lanes>(constant, variable, step, parent, fromRows<Move>(moved), pose);
-    if constexpr (Move::kFields > 0) toRows<kMoveRow>(move).template write<false>(slots.moves, slots.link + first);
+    if constexpr (Solver::kBase) {
+      const Pose<Lanes> now = posesAt(slots.after, slots.base + first), was = posesAt(slots.before, slots.base + first);
+      const Lanes rate(1 / step.h);
+      Solver::template down<Lanes>(
+          constant, variable, step, parent,
+          BaseMotion<Lanes>{now.place, now.velocity, now.spin, (now.velocity - was.velocity) * rate,
+                            (now.spin - was.spin) * rate},
+          pose);
+    } else {
+      Rows<kMoveRow> moved;
+      if constexpr (Move::kFields > 0) moved.template read<false>(slots.moves, slots.parent + first);
+      const Move move = Solver::template down<Lanes>(constant, variable, step, parent, fromRows<Move>(moved), pose);
+      if constexpr (Move::kFields > 0) toRows<kMoveRow>(move).template write<false>(slots.moves, slots.link + first);
+    }
     const Lanes none(0.0f);
     const Rows<kRow> out{{pose.turn.x, pose.turn.y, pose.turn.z, pose.turn.w, pose.place.x, pose.place.y, pose.place.z,
                           none, pose.velocity.x, pose.velocity.y, pose.velocity.z, none, pose.spin.x, pose.spin.y,
@@ -73,6 +87,7 @@ void downPass(const LinkSlots<float>& slots, const LinkStep<float>& step, std::u
 
 inline constexpr LinkPasses kCoupledPasses{upPass<CoupledSolver>, downPass<CoupledSolver>};
 inline constexpr LinkPasses kModalPasses{upPass<ModalSolver>, downPass<ModalSolver>};
+inline constexpr LinkPasses kAxisPasses{upPass<AxisSolver>, downPass<AxisSolver>};
 inline constexpr LinkPasses kForcesPasses{upPass<ForcesSolver>, downPass<ForcesSolver>};
 
 }  // namespace WINDFALL_LANES

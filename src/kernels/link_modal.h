@@ -30,6 +30,21 @@ struct ModalSum {
   R virial;
 };
 
+/// Composites of everything outboard of the joint at rest, joint frame, for the motion of the axis' base (5.9).
+enum AxisConstant : std::uint32_t {
+  kMoment = kModalConstants,    ///< 3: sum of m r, kg m
+  kInertia6 = kMoment + 3,      ///< 6: xx xy xz yy yz zz, kg m2
+  kDragMoment = kInertia6 + 6,  ///< 3: the same with the drag's slope in the place of mass
+  kDragInertia = kDragMoment + 3,
+  kAxisConstants = kDragInertia + 6
+};
+
+/// How the link moves that an axis grows from, world axes.
+template <class R>
+struct BaseMotion {
+  V3<R> place, velocity, spin, acceleration, angularAcceleration;
+};
+
 /// Nothing: a joint tells its children no more than its pose.
 template <class R>
 struct NoMove {
@@ -52,16 +67,16 @@ struct ModalSolver {
   template <class R>
   using Move = NoMove<R>;
   static constexpr std::uint32_t kConstants = kModalConstants, kVariables = kModalVariables;
+  static constexpr bool kBase = false;  ///< whether `down` takes the motion of the axis' base
 
   template <class R, class T, class Constants, class Variables>
-  WINDFALL_HD static ModalSum<R> up(const Constants& constant, const Variables& variable, const LinkStep<T>& step,
+  WINDFALL_HD static ModalSum<R> up(const Constants& constant, const Variables& variable, const LinkStep<T>&,
                                     const V3<R>& air, const ModalSum<R>& children) {
     const Turn<R> turn = turnAt<R>(variable, kTurn);
     const Loads<R> own = ownLoads(constant, turn, air);
     const V3<R> force = own.force + children.force, torque = own.torque + children.torque;
     const R virial = children.virial + R(constant.get(kHalf)) * dotOf(alongOf(turn), own.force);
-    putVector(variable, kTorque,
-              bendingTorque(constant, turn, vectorAt<R>(variable, kAngle), torque, R(step.saturation)));
+    putVector(variable, kTorque, jointTorque(constant, turn, vectorAt<R>(variable, kAngle), torque));
     variable.put(kVirial, virial);
     const V3<R> arm = vectorAt<R>(variable, kArm);
     return {force, torque + crossOf(arm, force), virial + dotOf(arm, force)};
@@ -70,7 +85,7 @@ struct ModalSolver {
   template <class R, class T, class Constants, class Variables>
   WINDFALL_HD static NoMove<R> down(const Constants& constant, const Variables& variable, const LinkStep<T>& step,
                                     const Pose<R>& parent, const NoMove<R>&, Pose<R>& pose) {
-    solve<R>(constant, variable, step, vectorAt<R>(variable, kTorque));
+    solve<R>(constant, variable, step, saturated(constant, vectorAt<R>(variable, kTorque), R(step.saturation)));
     pose = posed(constant, variable, parent, vectorAt<R>(variable, kAngle), vectorAt<R>(variable, kSpeed));
     return {};
   }
@@ -102,6 +117,49 @@ struct ModalSolver {
     putVector(variable, kModeSpeed, rate);
     putVector(variable, kAngle, fromModes(constant, y));
     putVector(variable, kSpeed, fromModes(constant, rate));
+  }
+};
+
+/// A symmetric matrix of six fields times a vector.
+template <class R, class Constants>
+WINDFALL_HD V3<R> symmetricTimes(const Constants& c, std::uint32_t first, const V3<R>& v) {
+  const auto row = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return c.get(first + x) * v.x + c.get(first + y) * v.y + c.get(first + z) * v.z;
+  };
+  return {row(0, 1, 2), row(1, 3, 4), row(2, 4, 5)};
+}
+
+/// The same where an axis feels how its base moves: fictitious torques, one way (5.9).
+struct AxisSolver {
+  template <class R>
+  using Sum = ModalSum<R>;
+  template <class R>
+  using Move = NoMove<R>;
+  static constexpr std::uint32_t kSumRow = ModalSolver::kSumRow;
+  static constexpr std::uint32_t kConstants = kAxisConstants, kVariables = kModalVariables;
+  static constexpr bool kBase = true;
+
+  template <class R, class T, class Constants, class Variables>
+  WINDFALL_HD static ModalSum<R> up(const Constants& constant, const Variables& variable, const LinkStep<T>& step,
+                                    const V3<R>& air, const ModalSum<R>& children) {
+    return ModalSolver::up<R>(constant, variable, step, air, children);
+  }
+
+  template <class R, class T, class Constants, class Variables>
+  WINDFALL_HD static void down(const Constants& constant, const Variables& variable, const LinkStep<T>& step,
+                               const Pose<R>& parent, const BaseMotion<R>& base, Pose<R>& pose) {
+    const Turn<R> frame = composed(parent.turn, turnAt<R>(constant, kRestTurn));
+    const V3<R> d = parent.place + turned(parent.turn, vectorAt<R>(constant, kRestOffset)) - base.place;
+    const auto local = [&](const V3<R>& v) { return turnedBack(frame, v); };
+    const V3<R> a = local(base.acceleration + crossOf(base.angularAcceleration, d));
+    const V3<R> v = local(base.velocity + crossOf(base.spin, d));
+    const V3<R> fictitious = crossOf(vectorAt<R>(constant, kMoment), a) +
+                             symmetricTimes(constant, kInertia6, local(base.angularAcceleration)) +
+                             crossOf(vectorAt<R>(constant, kDragMoment), v) +
+                             symmetricTimes(constant, kDragInertia, local(base.spin));
+    const V3<R> torque = vectorAt<R>(variable, kTorque) - fictitious;
+    ModalSolver::solve<R>(constant, variable, step, saturated(constant, torque, R(step.saturation)));
+    pose = posed(constant, variable, parent, vectorAt<R>(variable, kAngle), vectorAt<R>(variable, kSpeed));
   }
 };
 

@@ -44,13 +44,17 @@ WINDFALL_HD Loads<R> ownLoads(const Constants& constant, const Turn<R>& turn, co
   return loads;
 }
 
-/// What bends the joint: a torque in world axes seen in the joint frame, which turns with the parent but not with the
-/// joint's own angle, less what the rest pose carries, its size bounded: progressive stiffening past theta_max (5.5).
+/// A torque in world axes seen in the joint frame, which turns with the parent but not with the joint's own angle, less
+/// what the rest pose carries.
 template <class R, class Constants>
-WINDFALL_HD V3<R> bendingTorque(const Constants& constant, const Turn<R>& turn, const V3<R>& angle, const V3<R>& world,
-                                const R& largest) {
+WINDFALL_HD V3<R> jointTorque(const Constants& constant, const Turn<R>& turn, const V3<R>& angle, const V3<R>& world) {
   const V3<R> joint = turned(exponentialOf(angle * shownPart(angle)), turnedBack(turn, world));
-  const V3<R> torque = joint - vectorAt<R>(constant, kPreStress);
+  return joint - vectorAt<R>(constant, kPreStress);
+}
+
+/// A joint's torque with its size bounded: progressive stiffening past theta_max (5.5).
+template <class R, class Constants>
+WINDFALL_HD V3<R> saturated(const Constants& constant, const V3<R>& torque, const R& largest) {
   const R bending = constant.get(kBending);
   const R x = torque.x / bending, y = torque.y / bending, z = torque.z / constant.get(kTwist);
   const R q = (x * x + y * y + z * z) / (largest * largest);

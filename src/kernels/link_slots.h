@@ -37,6 +37,7 @@ struct LinkSlots {
   const std::uint32_t* link = nullptr;    ///< row of each slot's own link
   const std::uint32_t* parent = nullptr;  ///< row of its parent
   const std::uint32_t* target = nullptr;  ///< row that its sums are added to: the parent's, or one of its own
+  const std::uint32_t* base = nullptr;    ///< row of the link that its axis grows from, where a solver asks for it
   const T* constants = nullptr;           ///< blocks of constantFields
   T* state = nullptr;                     ///< blocks of stateFields
   const T* air = nullptr;                 ///< blocks of 3: air velocity at the link's middle, m/s

@@ -49,21 +49,33 @@ WINDFALL_HD void slotUp(const LinkSlots<T>& slots, const LinkChildren& children,
 template <class Solver, class T>
 WINDFALL_HD void slotDown(const LinkSlots<T>& slots, const LinkStep<T>& step, std::uint32_t slot) {
   using Move = typename Solver::template Move<T>;
-  const T* p = slots.after + std::size_t{slots.parent[slot]} * kRow;
-  const auto vector = [&](int at) { return V3<T>{p[at], p[at + 1], p[at + 2]}; };
-  const Pose<T> parent{{p[0], p[1], p[2], p[3]}, vector(kPosePlace), vector(kPoseVelocity), vector(kPoseSpin)};
-  Move moved{};
-  if constexpr (Move::kFields > 0) {
-    moved = structFrom<Move>(static_cast<const T*>(slots.moves + std::size_t{slots.parent[slot]} * kMoveRow));
-  }
+  const auto poseAt = [](const T* poses, std::uint32_t row) {
+    const T* p = poses + std::size_t{row} * kRow;
+    const auto vector = [&](int at) { return V3<T>{p[at], p[at + 1], p[at + 2]}; };
+    return Pose<T>{{p[0], p[1], p[2], p[3]}, vector(kPosePlace), vector(kPoseVelocity), vector(kPoseSpin)};
+  };
+  const Pose<T> parent = poseAt(slots.after, slots.parent[slot]);
+  const auto constant = fieldsOf(slots.constants, Solver::kConstants, slot);
+  const auto variable = fieldsOf(slots.state, Solver::kVariables, slot);
   Pose<T> pose;
-  const Move move =
-      Solver::template down<T>(fieldsOf(slots.constants, Solver::kConstants, slot),
-                               fieldsOf(slots.state, Solver::kVariables, slot), step, parent, moved, pose);
-  if constexpr (Move::kFields > 0) {
-    T* to = slots.moves + std::size_t{slots.link[slot]} * kMoveRow;
-    const T* from = reinterpret_cast<const T*>(&move);
-    for (std::uint32_t k = 0; k < Move::kFields; ++k) to[k] = from[k];
+  if constexpr (Solver::kBase) {
+    const Pose<T> now = poseAt(slots.after, slots.base[slot]), was = poseAt(slots.before, slots.base[slot]);
+    const T rate = T(1) / step.h;
+    Solver::template down<T>(constant, variable, step, parent,
+                             BaseMotion<T>{now.place, now.velocity, now.spin, (now.velocity - was.velocity) * rate,
+                                           (now.spin - was.spin) * rate},
+                             pose);
+  } else {
+    Move moved{};
+    if constexpr (Move::kFields > 0) {
+      moved = structFrom<Move>(static_cast<const T*>(slots.moves + std::size_t{slots.parent[slot]} * kMoveRow));
+    }
+    const Move move = Solver::template down<T>(constant, variable, step, parent, moved, pose);
+    if constexpr (Move::kFields > 0) {
+      T* to = slots.moves + std::size_t{slots.link[slot]} * kMoveRow;
+      const T* from = reinterpret_cast<const T*>(&move);
+      for (std::uint32_t k = 0; k < Move::kFields; ++k) to[k] = from[k];
+    }
   }
   T* row = slots.after + std::size_t{slots.link[slot]} * kRow;
   row[0] = pose.turn.x;

@@ -60,6 +60,7 @@ FactorSettings settingsOf(const SceneDescription& scene, const WindField& wind, 
   FactorSettings settings;
   settings.h = static_cast<double>(scene.solver.step);
   settings.method = scene.solver.method;
+  settings.axisMotion = scene.solver.axisMotion;
   settings.dampingRatio = static_cast<double>(scene.solver.structuralDamping);
   settings.windSpeed = static_cast<double>(wind.level(time));
   settings.windDirection = glm::dvec3(wind.direction(time));
@@ -284,6 +285,7 @@ std::uint64_t CpuEngine::fingerprint() const {
   std::uint64_t h = hashBytes(&scene_.seed, sizeof scene_.seed);
   h = hashBytes(&scene_.solver.step, sizeof scene_.solver.step, h);
   h = hashBytes(&scene_.solver.method, sizeof scene_.solver.method, h);
+  h = hashBytes(&scene_.solver.axisMotion, sizeof scene_.solver.axisMotion, h);
   for (const TreeInstance& instance : scene_.trees) {
     for (const Link& link : instance.tree->links) {
       const float numbers[] = {link.joint.x, link.joint.y, link.joint.z, link.length, link.radius};

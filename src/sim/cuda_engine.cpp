@@ -15,26 +15,22 @@ std::size_t nodesOf(const WindView& wind) {
 
 constexpr FieldCut kCut{512, 1024, 128};
 
-cuda::LinkMethod methodOf(TreeMethod method) {
-  switch (method) {
-    case TreeMethod::Coupled:
-      return cuda::LinkMethod::Coupled;
-    case TreeMethod::Forces:
-      return cuda::LinkMethod::Forces;
-    default:
-      return cuda::LinkMethod::Modal;
-  }
+cuda::LinkMethod methodOf(const FactorSettings& settings) {
+  if (settings.method == TreeMethod::Coupled) return cuda::LinkMethod::Coupled;
+  if (settings.method == TreeMethod::Forces) return cuda::LinkMethod::Forces;
+  return usesAxes(settings) ? cuda::LinkMethod::Axis : cuda::LinkMethod::Modal;
 }
 
 cuda::Forest forestOf(const TreeField& trees) {
   const Arrangement& slots = trees.slots();
   cuda::Forest forest;
-  forest.method = methodOf(trees.settings().method);
+  forest.method = methodOf(trees.settings());
   forest.width = kCut.width;
   forest.rows = slots.rows;
   forest.sumRow = trees.sumRow();
   forest.link = slots.link;
   forest.parent = slots.parent;
+  forest.base.assign(trees.bases().begin(), trees.bases().end());
   Gathering gathering = gatheringOf(slots, trees.parents());
   forest.childBegin = std::move(gathering.begin);
   forest.children = std::move(gathering.rows);

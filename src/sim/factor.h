@@ -22,8 +22,9 @@ struct FactorSettings {
   glm::dvec3 gravity{0, -9.81, 0};  ///< m/s2
   double windSpeed = 0;             ///< mean at 10 m, m/s, for the drag's slope
   glm::dvec3 windDirection{1, 0, 0};
-  bool twistFloor = true;  ///< 5.6
-  bool calibrate = true;   ///< 5.7; off for the literal method
+  bool axisMotion = false;  ///< analytic: fictitious torques of a moving base (5.9)
+  bool twistFloor = true;   ///< 5.6
+  bool calibrate = true;    ///< 5.7; off for the literal method
 };
 
 /// Twist inertia that a joint gets on top, kg m2, so that straight twigs do not flutter (5.6). It acts on the joint's

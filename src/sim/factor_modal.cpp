@@ -56,7 +56,7 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
   const std::vector<AxisMode> modes =
       calibrated ? axisModes(bodies, composites, drags) : std::vector<AxisMode>(bodies.size());
   const RestLoads loads = restLoads(bodies, settings);
-  std::array<double, kModalConstants> constants{};
+  std::array<double, kAxisConstants> constants{};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const LinkBody& body = bodies[i];
     dmat3 inertia = glm::transpose(body.axes) * composites[i].inertia * body.axes;
@@ -88,6 +88,17 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
       constants[kDampings + a] = body.dampingScale * settings.dampingRatio * std::sqrt(lambda) +
                                  0.5 * (air + body.rayleighAlpha + body.rayleighBeta * lambda);
     }
+    const auto put = [&](std::size_t moment, std::size_t matrix, const Composite& c) {
+      const dvec3 m = glm::transpose(body.axes) * c.moment;
+      const dmat3 local = glm::transpose(body.axes) * c.inertia * body.axes;
+      std::size_t k = matrix;
+      for (int row = 0; row < 3; ++row) {
+        constants[moment + static_cast<std::size_t>(row)] = m[row];
+        for (int column = row; column < 3; ++column) constants[k++] = local[column][row];
+      }
+    };
+    put(kMoment, kInertia6, composites[i]);
+    put(kDragMoment, kDragInertia, drags[i]);
     sink(i, constants);
   }
 }

@@ -89,7 +89,7 @@ struct SolverSettings {
   float step = 1.f / 60;            ///< fixed step, s
   float structuralDamping = 0.03f;  ///< modal ratio
   TreeMethod method = TreeMethod::Coupled;
-  bool axisMotion = true;  ///< analytic: a branch feels how its base moves (5.9)
+  bool axisMotion = false;  ///< analytic: a branch feels how its base moves (5.9)
   bool operator==(const SolverSettings&) const = default;
 };
 

@@ -20,27 +20,17 @@ struct Layout {
 template <class Solver>
 constexpr Layout kLayoutOf{Solver::kConstants, Solver::kVariables, Solver::kSumRow};
 
-Layout layoutOf(TreeMethod method) {
-  switch (method) {
-    case TreeMethod::Coupled:
-      return kLayoutOf<CoupledSolver>;
-    case TreeMethod::Forces:
-      return kLayoutOf<ForcesSolver>;
-    default:
-      return kLayoutOf<ModalSolver>;
-  }
+Layout layoutOf(const FactorSettings& settings) {
+  if (settings.method == TreeMethod::Coupled) return kLayoutOf<CoupledSolver>;
+  if (settings.method == TreeMethod::Forces) return kLayoutOf<ForcesSolver>;
+  return usesAxes(settings) ? kLayoutOf<AxisSolver> : kLayoutOf<ModalSolver>;
 }
 
-const LinkPasses& passesOf(TreeMethod method) {
+const LinkPasses& passesOf(const FactorSettings& settings) {
   const LinkLoops& loops = linkLoops();
-  switch (method) {
-    case TreeMethod::Coupled:
-      return loops.coupled;
-    case TreeMethod::Forces:
-      return loops.forces;
-    default:
-      return loops.modal;
-  }
+  if (settings.method == TreeMethod::Coupled) return loops.coupled;
+  if (settings.method == TreeMethod::Forces) return loops.forces;
+  return usesAxes(settings) ? loops.axis : loops.modal;
 }
 
 bool isModal(TreeMethod method) { return method == TreeMethod::Analytic || method == TreeMethod::Literal; }
@@ -57,11 +47,12 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
     }
   }
   slots_ = arrange(parents_, cut.treelet, cut.part, cut.width);
-  const Layout layout = layoutOf(settings.method);
+  const Layout layout = layoutOf(settings);
   constantFields_ = layout.constants;
   stateFields_ = layout.variables;
   sumRow_ = layout.sumRow;
   const std::size_t count = slots_.link.size();
+  findBases();
   constants_.assign(count * constantFields_, 0.f);
   state_.assign(count * stateFields_, 0.f);
   air_.assign(count * 3, 0.f);
@@ -91,6 +82,24 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
   reset();
 }
 
+void TreeField::findBases() {
+  if (!usesAxes(settings_)) return;
+  std::vector<std::uint32_t> ofLink(size(), slots_.ground());
+  std::size_t i = 0;
+  for (const TreeInstance& instance : trees_) {
+    const std::vector<Link>& links = instance.tree->links;
+    for (const Link& link : links) {
+      if (parents_[i] >= 0) {
+        const auto parent = static_cast<std::size_t>(parents_[i]);
+        const bool continues = links[static_cast<std::size_t>(link.parent)].chain == link.chain;
+        ofLink[i] = continues ? ofLink[parent] : static_cast<std::uint32_t>(parent);
+      }
+      ++i;
+    }
+  }
+  for (const std::uint32_t row : slots_.link) bases_.push_back(row < slots_.links ? ofLink[row] : row);
+}
+
 void TreeField::factoriseTree(std::size_t instance) {
   ++revision_;
   const Tree& tree = *trees_[instance].tree;
@@ -106,9 +115,12 @@ void TreeField::factoriseTree(std::size_t instance) {
 }
 
 void TreeField::factorise(const FactorSettings& settings) {
+  // The method was chosen once: it decides what is stored.
   const TreeMethod method = settings_.method;
+  const bool axisMotion = settings_.axisMotion;
   settings_ = settings;
   settings_.method = method;
+  settings_.axisMotion = axisMotion;
   for (std::size_t t = 0; t < trees_.size(); ++t) factoriseTree(t);
 }
 
@@ -243,6 +255,7 @@ LinkSlots<float> TreeField::view() {
   view.link = slots_.link.data();
   view.parent = slots_.parent.data();
   view.target = slots_.target.data();
+  view.base = bases_.data();
   view.constants = constants_.data();
   view.state = state_.data();
   view.air = air_.data();
@@ -305,7 +318,7 @@ void TreeField::sampleAir(const WindView& wind) {
 }
 
 void TreeField::crossTop(const LinkSlots<float>& links, const LinkStep<float>& step) {
-  const LinkPass up = passesOf(settings_.method).up;
+  const LinkPass up = passesOf(settings_).up;
   const auto cross = [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t c = begin; c < end; ++c) {
       float* from = links.sums + std::size_t{slots_.crossings[c].from} * sumRow_;
@@ -332,7 +345,7 @@ void TreeField::solve() {
   before_.swap(after_);
   const LinkSlots<float> links = view();
   const LinkStep<float> step = stepParameters();
-  const LinkPasses passes = passesOf(settings_.method);
+  const LinkPasses passes = passesOf(settings_);
   const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
   const auto part = [&](std::ptrdiff_t p) { return slots_.parts[static_cast<std::size_t>(p)]; };
 #pragma omp parallel num_threads(threads_) if (parts > 3)

@@ -31,6 +31,11 @@ struct LinkShape {
   std::int32_t parent = -1;
 };
 
+/// Whether the fictitious torques of 5.9 are asked for and belong to the method.
+inline bool usesAxes(const FactorSettings& settings) {
+  return settings.method == TreeMethod::Analytic && settings.axisMotion;
+}
+
 /// How the links are cut; see Arrangement.
 struct FieldCut {
   std::uint32_t treelet = 512;  ///< links of a subtree that is not cut further, at most
@@ -97,6 +102,7 @@ class TreeField {
   std::span<const float> outside();
   LinkSlots<float> view();
   std::span<const std::int32_t> parents() const { return parents_; }
+  std::span<const std::uint32_t> bases() const { return bases_; }  ///< row of each slot's base (LinkSlots)
   std::span<const float> constants() const { return constants_; }
   std::span<const float> slotState() const { return state_; }
   std::span<const LinkState> rows() const {
@@ -111,6 +117,7 @@ class TreeField {
 
  private:
   void factoriseTree(std::size_t instance);
+  void findBases();
   void addForces();
   void addForce(const LinkForce& force);
   void crossTop(const LinkSlots<float>& view, const LinkStep<float>& step);
@@ -123,6 +130,7 @@ class TreeField {
   std::vector<std::uint32_t> firstLinks_;
   std::vector<std::int32_t> parents_;
   Arrangement slots_;
+  std::vector<std::uint32_t> bases_;
   std::uint32_t constantFields_ = 0, stateFields_ = 0, sumRow_ = 0;
   AlignedVector<float> constants_, state_, air_, sums_, moves_;
   AlignedVector<LinkState> before_, after_;

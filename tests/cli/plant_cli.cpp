@@ -76,6 +76,7 @@ void PlantCliTest::badFilesAndUsageHaveTheirStatus_data() {
   QTest::newRow("negative time") << QStringList{"simulate", plant(), "--seconds", "-1"} << 2 << "--seconds";
   QTest::newRow("no number") << QStringList{"simulate", plant(), "--wind", "storm"} << 2 << "--wind";
   QTest::newRow("unknown device") << QStringList{"simulate", plant(), "--device", "abacus"} << 2 << "--device";
+  QTest::newRow("unknown method") << QStringList{"simulate", plant(), "--method", "guess"} << 2 << "--method";
   QTest::newRow("no folder for the trace")
       << QStringList{"simulate", plant(), "--trace", folder_.filePath("none/t.csv")} << 1 << "none/t.csv";
 }
@@ -116,6 +117,14 @@ void PlantCliTest::theHashDependsOnTheSettingsAndNotOnTheThreads() {
   QVERIFY2(one.startsWith("state ") && one.size() == 22, one.constData());
   QCOMPARE(hash({"--threads", "2"}), one);
   QVERIFY(hash({"--wind", "9"}) != one);
+  QByteArrayList ofMethods;
+  for (const char* method : {"coupled", "analytic", "forces", "literal"}) {
+    const QByteArray one = hash({"--method", method, "--threads", "1"});
+    QVERIFY(one.startsWith("state "));
+    QCOMPARE(hash({"--method", method, "--threads", "2"}), one);
+    QVERIFY2(!ofMethods.contains(one), method);
+    ofMethods.append(one);
+  }
 }
 
 void PlantCliTest::calmAirBringsTheTreeToRest() {

@@ -95,7 +95,7 @@ struct LinkSolver::Data {
   Buffer<LinkState> before, after;
   Buffer<vec4> wind, eddies;
   const vec4* eddySource = nullptr;  ///< on the host; what `eddies` is a copy of
-  Buffer<std::uint32_t> link, parent, childBegin, children, partStarts;
+  Buffer<std::uint32_t> link, parent, base, childBegin, children, partStarts;
 };
 
 LinkSolver::LinkSolver(const Forest& forest, std::size_t constants, std::size_t state, std::size_t windNodes)
@@ -127,6 +127,7 @@ LinkSolver::LinkSolver(const Forest& forest, std::size_t constants, std::size_t 
   };
   place(d.link, forest.link);
   place(d.parent, forest.parent);
+  place(d.base, forest.base);
   place(d.childBegin, forest.childBegin);
   place(d.children, forest.children);
   place(d.partStarts, forest.parts);
@@ -166,6 +167,7 @@ bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, s
   LinkSlots<float> slots;
   slots.link = d.link.data();
   slots.parent = d.parent.data();
+  slots.base = d.base.data();
   slots.constants = d.constants.data();
   slots.state = d.state.data();
   slots.air = d.air.data();
@@ -192,6 +194,9 @@ bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, s
       break;
     case LinkMethod::Modal:
       launch<ModalSolver>(slots, forest, parameters, d.parts, d.width);
+      break;
+    case LinkMethod::Axis:
+      launch<AxisSolver>(slots, forest, parameters, d.parts, d.width);
       break;
     case LinkMethod::Forces:
       launch<ForcesSolver>(slots, forest, parameters, d.parts, d.width);

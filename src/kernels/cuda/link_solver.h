@@ -15,17 +15,17 @@ namespace windfall::cuda {
 /// Names of the usable devices; empty where there is none. `problem` says why, in one line.
 std::vector<std::string> deviceNames(std::string* problem = nullptr);
 
-enum class LinkMethod { Coupled, Modal, Forces };
+enum class LinkMethod { Coupled, Modal, Axis, Forces };
 
 /// How a forest's slots are worked through: every part in rounds of `width` slots that do not wait for each other.
 /// Part 0 holds the links above all treelets.
 struct Forest {
   LinkMethod method = LinkMethod::Coupled;
   std::uint32_t width = 128;
-  std::uint32_t rows = 0;                                         ///< of poses
-  std::uint32_t sumRow = 0;                                       ///< numbers of a row of sums
-  std::vector<std::uint32_t> link, parent, childBegin, children;  ///< kernels/link_slots.h, link_sweep.h
-  std::vector<std::uint32_t> parts;                               ///< first slot of each part; one more at the end
+  std::uint32_t rows = 0;                                               ///< of poses
+  std::uint32_t sumRow = 0;                                             ///< numbers of a row of sums
+  std::vector<std::uint32_t> link, parent, base, childBegin, children;  ///< kernels/link_slots.h, link_sweep.h
+  std::vector<std::uint32_t> parts;  ///< first slot of each part; one more at the end
 };
 
 /// All links on device 0. An error is sticky: every later call does nothing and returns false.
