@@ -56,6 +56,11 @@ class FieldWriter {
       object_[QLatin1String(key)] = static_cast<double>(value);
     }
   }
+  /// One of a few, by number from 0.
+  template <class E>
+  void choice(const char* key, E value, int last) {
+    number(key, static_cast<int>(value), 0, last);
+  }
   /// Any 64 bits: a number while JSON keeps it exactly, else decimal digits as text.
   void seed(const char* key, quint64 value);
   void flag(const char* key, bool value) { object_[QLatin1String(key)] = value; }
@@ -135,6 +140,12 @@ class FieldReader {
   template <class T>
   void number(const char* key, T& value, double low, double high) {
     if (const auto read = readNumber(key, low, high, std::is_integral_v<T>)) value = static_cast<T>(*read);
+  }
+  template <class E>
+  void choice(const char* key, E& value, int last) {
+    int number = static_cast<int>(value);
+    this->number(key, number, 0, last);
+    value = static_cast<E>(number);
   }
   template <class T>
   void seed(const char* key, T& value) {

@@ -175,6 +175,31 @@ void fields(Io& io, typename Io::template Ref<Clip> clip, const QString& entry) 
 }
 
 template <class Io>
+void fields(Io& io, typename Io::template Ref<ChainSettings> chains) {
+  io.choice("rule", chains.rule, 1);
+  io.number("angle", chains.angle, 0, 1e3);
+  io.number("length", chains.length, 0, 1e3);
+  io.number("thickness", chains.thickness, 0, 1e3);
+  io.number("order", chains.order, 0, 1e3);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<SurfaceSettings> surface) {
+  io.number("scale", surface.scale, 1e-4, 1e4);
+  io.flag("fromSkeleton", surface.fromSkeleton);
+  io.object("chains", surface.chains);
+  io.choice("curve", surface.curve, 1);
+  io.number("detail", surface.detail, 0, 1);
+  io.choice("bark", surface.bark, 5);
+  io.number("tile", surface.tile, 1e-3, 100);
+  io.number("flare", surface.flare, 0, 1.5);
+  io.number("lobes", surface.lobes, 0, 9);
+  io.number("gnarl", surface.gnarl, 0, 0.6);
+  io.flag("roots", surface.roots);
+  io.flag("followsState", surface.followsState);
+}
+
+template <class Io>
 void fields(Io& io, typename Io::template Ref<Plant> plant) {
   io.id("id", plant.id);
   io.text("name", plant.name);
@@ -186,6 +211,7 @@ void fields(Io& io, typename Io::template Ref<Plant> plant) {
   io.list("clips", plant.clips, 9'999, [&plant](size_t i) {
     return QStringLiteral("plants/%1/clips/%2.bin").arg(plant.id.value).arg(i + 1, 4, 10, QLatin1Char('0'));
   });
+  io.object("surface", plant.surface);
 }
 
 template <class Io>

@@ -12,6 +12,7 @@
 #include "model/plant/assimp_private.h"
 #include "model/plant/foliage.h"
 #include "model/plant/gltf_check.h"
+#include "model/plant/skeleton_geometry.h"
 
 namespace windfall::model {
 
@@ -69,7 +70,8 @@ Result<PlantGeometry> convert(const aiScene& scene, const QString& format, Progr
 
 }  // namespace
 
-Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, Progress& progress) const {
+Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const SurfaceSettings& surface,
+                                           Progress& progress) const {
   const QString extension = QFileInfo(file.name).suffix().toLower();
   if (file.bytes.isEmpty()) return Error{"is empty"};
   if (extension != QLatin1String("fbx")) {
@@ -87,7 +89,9 @@ Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, Progress& pro
         aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType, qPrintable(extension));
     if (progress.cancelled()) return Error{"cancelled", true};
     if (scene == nullptr) return Error{oneLine(importer.GetErrorString())};
-    return convert(*scene, extension, progress);
+    Result<PlantGeometry> geometry = convert(*scene, extension, progress);
+    if (!geometry) return geometry;
+    return withSurface(std::move(*geometry), surface, progress);
   } catch (const std::bad_alloc&) {
     return Error{"needs more memory than there is"};
   } catch (const std::exception& problem) {

@@ -52,6 +52,12 @@ LinkForest linkForest(const std::vector<Bone>& bones) {
       const float straight = glm::dot(child.tail - child.head, bone.tail - bone.head) / lengths;
       return std::make_tuple(reach[at(index)], child.radius, straight, -child.tail.x, -child.tail.y, -child.tail.z);
     };
+    if (bone.next != Bone::kByLength) {
+      int next = bone.next;
+      while (next >= 0 && !forest.link[at(next)]) next = std::max(bones[at(next)].next, -1);
+      if (next >= 0 && forest.parent[at(next)] == static_cast<int>(b)) forest.next[b] = next;
+      continue;
+    }
     for (const int child : forest.children[b]) {
       if (glm::length(bones[at(child)].head - bone.tail) > 2 * bone.radius + 1e-5f) continue;
       if (forest.next[b] < 0 || rank(forest.next[b]) < rank(child)) forest.next[b] = child;

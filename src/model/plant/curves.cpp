@@ -58,8 +58,12 @@ Joints jointsOf(const SkeletonGraph& graph, const Chains& chains, const Chain& c
   const auto link = [&](std::uint32_t i) -> const Segment& { return graph.segments[chains.links[chain.first + i]]; };
   const auto first = static_cast<std::int32_t>(chains.links[chain.first]);
   add(pivot.point, link(0).ra, first, 0);
-  // A head beside its parent's axis is a joint of its own: the source had a curve there.
-  if (chain.parent >= 0 && glm::length(link(0).a - pivot.point) > std::max(0.5f * link(0).ra, 1e-4f)) {
+  // A head well beside its parent's axis is a joint of its own: the source had a curve there. Not where the way to it
+  // leads backwards: that would be a hairpin inside the parent.
+  const vec3 aside = link(0).a - pivot.point, along = link(0).b - link(0).a;
+  const float way = glm::length(aside);
+  if (chain.parent >= 0 && way > std::max(0.5f * pivot.radius, 1e-4f) &&
+      glm::dot(aside, along) > 0.3f * way * glm::length(along)) {
     add(link(0).a, link(0).ra, first, 0);
   }
   for (std::uint32_t i = 0; i < chain.count; ++i) {

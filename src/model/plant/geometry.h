@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "kernels/math.h"
@@ -21,6 +22,9 @@ struct Bone {
   vec3 head{0}, tail{0};  ///< m, plant space
   float radius = 0;       ///< m, mean of the mesh's cross-section along the bone
   bool weighted = true;
+  /// The bone that continues its branch, -1: none; kByLength: the one with the longest way to a tip.
+  int next = kByLength;
+  static constexpr int kByLength = -2;
 };
 
 /// Skinned vertex; up to four influences (more are cut to the four largest and renormalised).
@@ -29,12 +33,17 @@ struct Vertex {
   vec2 uv{0};
   std::array<std::uint32_t, 4> bones{};
   std::array<float, 4> weights{};
+  /// Of generated bark: log2 of the texture's repeats round the stem (plant_meshing.md, 5); 0: `uv` as it is.
+  float repeats = 0;
+  /// Red, green, blue: on the colour, sRGB-free; the last: how much is wood, 0 green (255: as the material).
+  std::array<std::uint8_t, 4> tint{255, 255, 255, 255};
 };
 
 struct Material {
   QString name;
   vec4 baseColor{0.5f, 0.5f, 0.5f, 1};  ///< linear
   QImage texture;                       ///< null: none
+  QImage normalMap;                     ///< tangent space, y up the picture; null: none
   float roughness = 0.8f;
   bool leaf = false;  ///< foliage: name, alpha or small components say so
   bool doubleSided = false;
@@ -46,6 +55,8 @@ struct MeshPart {
   int material = 0;
   bool hidden = false;  ///< its leaves became instances
 };
+
+struct PlantSkeleton;
 
 struct PlantGeometry {
   QString format;  ///< "fbx", "glb", "gltf", "grown"
@@ -61,6 +72,8 @@ struct PlantGeometry {
   std::vector<sim::LeafSite> leafSites;
   std::vector<Clip> clips;  ///< motions that the file holds
   QStringList notes;        ///< what was wrong with the file and how it was mended, a line each
+  /// Curves and rings of its stems (skeleton_geometry.h); null where nobody made them.
+  std::shared_ptr<const PlantSkeleton> skeleton;
 };
 
 }  // namespace windfall::model

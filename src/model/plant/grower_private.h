@@ -34,8 +34,8 @@ vec3 curvePoint(const Axis& axis, std::size_t link, float share);
 /// Its unit tangent there.
 vec3 curveTangent(const Axis& axis, std::size_t link, float share);
 
-/// Bark: tapered tubes round the axes, closed, with collars, a root flare, and weights that blend at the joints.
-void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry);
+/// The surface of the axes (skeleton_geometry.h), bound to bones that stand already; its scale must be 1.
+void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface = {});
 
 /// Short shoots on the outer axes and the leaves on them; `area` is the one-sided area wanted, m2.
 void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, PlantGeometry& geometry);

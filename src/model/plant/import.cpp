@@ -4,6 +4,7 @@
 
 #include "model/plant/assimp_importer.h"
 #include "model/plant/grower.h"
+#include "model/plant/skeleton_importer.h"
 
 namespace windfall::model {
 
@@ -11,6 +12,8 @@ const std::vector<std::unique_ptr<PlantImporter>>& plantImporters() {
   static const std::vector<std::unique_ptr<PlantImporter>> all = [] {
     std::vector<std::unique_ptr<PlantImporter>> importers;
     importers.push_back(std::make_unique<AssimpImporter>());
+    importers.push_back(std::make_unique<PrimImporter>());
+    importers.push_back(std::make_unique<JsonSkeletonImporter>());
     return importers;
   }();
   return all;
@@ -28,7 +31,7 @@ Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress) {
   if (plant.file.isEmpty() && plant.grower) return grow(*plant.grower, progress);
   const QString extension = QFileInfo(plant.file.name).suffix().toLower();
   for (const auto& importer : plantImporters()) {
-    if (importer->extensions().contains(extension)) return importer->read(plant.file, progress);
+    if (importer->extensions().contains(extension)) return importer->read(plant.file, plant.surface, progress);
   }
   return Error{"is no plant file that Windfall reads (" + plantFilePatterns().join(' ').toStdString() + ")"};
 }

@@ -19,7 +19,9 @@ class PlantImporter {
   virtual QString name() const = 0;
   /// Lower case, without the dot.
   virtual QStringList extensions() const = 0;
-  virtual Result<PlantGeometry> read(const SourceFile& file, Progress& progress) const = 0;
+  /// `surface` matters to formats that hold a skeleton alone.
+  virtual Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface,
+                                     Progress& progress) const = 0;
 };
 
 const std::vector<std::unique_ptr<PlantImporter>>& plantImporters();

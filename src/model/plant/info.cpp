@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "model/plant/bodies.h"
+#include "model/plant/skeleton_geometry.h"
 
 namespace windfall::model {
 
@@ -23,6 +24,16 @@ PlantInfo describe(const PlantGeometry& geometry, const PlantBodies& bodies) {
   info.leaves = static_cast<int>(geometry.leafSites.size());
   info.maxInfluences = geometry.maxInfluences;
   for (const sim::Link& link : bodies.tree.links) info.totalStemLength += static_cast<double>(link.length);
+  // Files of organs are counted as they are, with what is too short to be simulated.
+  if (geometry.skeleton && (geometry.format == QLatin1String("prim") || geometry.format == QLatin1String("json"))) {
+    const SkeletonCounts& counts = geometry.skeleton->counts;
+    info.plants = counts.plants;
+    info.stems = counts.stems;
+    info.leaves = counts.leaves;
+    info.buds = counts.buds;
+    info.depth = counts.depth;
+    info.totalStemLength = counts.stemLength;
+  }
   info.mass = sim::totalMass(bodies.tree);
   info.firstFrequency = sim::firstFrequency(bodies.tree);
   if (!geometry.vertices.empty()) {

@@ -8,6 +8,7 @@
 
 #include "model/ids.h"
 #include "model/plant/clip.h"
+#include "model/plant/surface_settings.h"
 #include "model/source_file.h"
 
 namespace windfall::model {
@@ -44,6 +45,7 @@ struct Plant {
   std::vector<AssetId> leaves;              ///< leaf assets whose kept variants hang on it
   double leafDensity = 1;                   ///< leaves on the tree, share of the natural number
   std::vector<Clip> clips;                  ///< baked motions; those of the file are with its geometry
+  SurfaceSettings surface;
   bool operator==(const Plant&) const = default;
 };
 
