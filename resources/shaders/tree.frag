@@ -9,10 +9,29 @@ layout(location = 5) in float highlight;
 layout(location = 6) in vec3 around;
 layout(location = 7) in vec3 behind;
 layout(location = 8) in vec4 air;
+layout(location = 9) in float barkRepeats;
+layout(location = 10) in vec4 barkTint;
+layout(location = 11) in vec4 dataColor;
 layout(location = 0) out vec4 color;
 layout(binding = 3) uniform sampler2D picture;
 layout(location = 0) uniform vec4 baseColor;
 layout(location = 1) uniform vec4 look;  // roughness, has a picture, 0, height of the bark's relief in m
+
+// A picture that repeats 2^k times round the stem; between two k it fades, so that no seam shows where the stem's
+// radius halves. The fade loses contrast and gets it back (plant_meshing.md, 5).
+vec4 barkPicture() {
+  float k = floor(barkRepeats);
+  float fade = smoothstep(0.3, 0.7, barkRepeats - k);
+  vec2 dx = dFdx(textureUv), dy = dFdy(textureUv);
+  float scale = exp2(k);
+  vec4 coarse = textureGrad(picture, textureUv * scale, dx * scale, dy * scale);
+  if (fade <= 0.0) return coarse;
+  vec4 fine = textureGrad(picture, textureUv * scale * 2.0, dx * scale * 2.0, dy * scale * 2.0);
+  if (fade >= 1.0) return fine;
+  vec4 mean = textureLod(picture, vec2(0.5), 16.0);
+  vec4 both = mix(coarse, fine, fade);
+  return max(mean + (both - mean) / sqrt(fade * fade + (1.0 - fade) * (1.0 - fade)), vec4(0.0));
+}
 
 // Bark from noise, stretched along the trunk, laid on from the sides and from above: x is height, y lightness.
 vec2 barkRelief(vec3 rest, vec3 normal) {
@@ -30,7 +49,11 @@ vec2 barkRelief(vec3 rest, vec3 normal) {
 void main() {
   vec3 normal = normalize(worldNormal);
   vec3 view = normalize(eye.xyz - worldPosition);
+#ifdef FOLIAGE
   vec4 texel = look.y > 0.5 ? texture(picture, textureUv) : vec4(1.0);
+#else
+  vec4 texel = look.y > 0.5 ? barkPicture() : vec4(1.0);
+#endif
   vec3 albedo = baseColor.rgb * texel.rgb / max(texel.a, 1e-3);
   float alpha = 1.0;
 #ifdef FOLIAGE
@@ -40,6 +63,11 @@ void main() {
   normal = front ? normal : -normal;
   vec3 light = foliageLight(albedo, front ? around : behind, front ? behind : around, worldPosition, normal, view, look.x);
 #else
+  // Where there is no wood yet, a green skin with what is left of the bark's grain.
+  float grain = dot(texel.rgb, vec3(0.33));
+  albedo = mix(vec3(0.13, 0.20, 0.045) * (0.7 + 0.9 * grain), albedo, barkTint.a) * barkTint.rgb;
+  // Data instead of bark: the colours of the legend, with a hint of the relief.
+  albedo = mix(albedo, pow(dataColor.rgb, vec3(2.2)) * (0.75 + 0.5 * grain), dataColor.a);
   vec2 bark = look.y > 0.5 ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   vec3 smoothNormal = normal;
   // Nearer than the noise is fine, its texels would show as facets.

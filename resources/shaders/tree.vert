@@ -6,7 +6,10 @@ layout(location = 2) in vec2 uv;
 layout(location = 3) in uvec4 links;
 layout(location = 4) in vec4 weights;
 layout(location = 5) in uint firstLink;
+layout(location = 6) in float repeats;
+layout(location = 7) in vec4 tint;
 layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
+layout(std430, binding = 2) readonly buffer LinkColors { uint linkColors[]; };  // one alone: none
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
@@ -17,6 +20,9 @@ layout(location = 5) out float highlight;
 layout(location = 6) out vec3 around;  // diffuse light on the side of the normal, and on the other
 layout(location = 7) out vec3 behind;
 layout(location = 8) out vec4 air;
+layout(location = 9) out float barkRepeats;
+layout(location = 10) out vec4 barkTint;
+layout(location = 11) out vec4 dataColor;  // sRGB; alpha 0: bark
 
 float highlighted(uint link) {
   uint bit = firstLink + link;
@@ -28,6 +34,12 @@ void main() {
   worldPosition = (skin * vec4(position, 1.0)).xyz;
   worldNormal = mat3(skin) * normal;
   textureUv = uv;
+  barkRepeats = repeats;
+  barkTint = tint;
+  dataColor = vec4(0.0);
+  if (linkColors.length() > 1) {
+    for (int i = 0; i < 4; ++i) dataColor += unpackUnorm4x8(linkColors[firstLink + links[i]]) * weights[i];
+  }
   restPosition = position;
   restNormal = normal;
   highlight = accent.w > 0.0 ? dot(vec4(highlighted(links.x), highlighted(links.y), highlighted(links.z), highlighted(links.w)), weights) : 0.0;

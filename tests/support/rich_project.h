@@ -74,6 +74,13 @@ inline model::Project richProject() {
   Plant file;
   file.id = {6};
   file.name = QStringLiteral("From file");
+  file.surface.scale = 1.5;
+  file.surface.fromSkeleton = true;
+  file.surface.chains = {ChainRule::Longest, 0.1, 0.2, 0.3, 0.4};
+  file.surface.curve = CurveKind::BSpline;
+  file.surface.bark = BarkKind::Pine;
+  file.surface.lobes = 3;
+  file.surface.roots = false;
   file.file = {QStringLiteral("birch.FBX"), QByteArrayLiteral("not a real tree \0\xff")};
   project.plants = {grown, file};
 

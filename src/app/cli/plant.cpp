@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/plant_export.h"
 #include "model/plant/bodies.h"
 #include "model/plant/import.h"
 
@@ -50,12 +51,23 @@ int plantInfo(const QString& path) {
 }  // namespace
 
 void declarePlant(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("plant", "Look into a plant file");
-  auto file = std::make_shared<std::string>();
-  command->add_option("FILE", *file, "Plant with an armature: .fbx, .glb or .gltf")->required();
+  CLI::App* command = app.add_subcommand("plant", "Look into a plant file, or write it in another format");
+  auto file = std::make_shared<std::string>(), output = std::make_shared<std::string>();
+  command->add_option("FILE", *file, "Plant: .fbx, .glb, .gltf, .prim or .json; to write, a project too")->required();
+  auto info = std::make_shared<bool>(false);
   const std::string what = "Print what is in it as one JSON object: lengths in m, mass in kg, frequency in Hz";
-  command->add_flag("--info", what)->required();
-  command->callback([file, &action] { action = [file] { return plantInfo(text(*file)); }; });
+  command->add_flag("--info", *info, what);
+  command->add_option("-o,--output", *output, "The file to write: .glb, .gltf, .obj, .prim or .json");
+  const std::shared_ptr<PlantExportCli> options = declarePlantExport(*command);
+  command->callback([file, info, output, options, &action] {
+    if (!*info && output->empty()) throw CLI::RequiredError("--info or --output");
+    action = [file, info, output, options] {
+      if (!output->empty()) {
+        if (const int status = exportPlant(*file, *output, *options); status != 0) return status;
+      }
+      return *info ? plantInfo(text(*file)) : 0;
+    };
+  });
 }
 
 }  // namespace windfall::app

@@ -182,7 +182,7 @@ void declareSimulate(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("simulate", "Let the wind blow through a project or a plant, without a window");
   auto o = std::make_shared<SimulateOptions>();
-  command->add_option("FILE", o->file, "Project (.windfall) or plant (.fbx, .glb, .gltf)")->required();
+  command->add_option("FILE", o->file, "Project (.windfall) or plant (.fbx, .glb, .gltf, .prim, .json)")->required();
   command->add_option("--seconds", o->seconds, "How long, in simulated seconds")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

@@ -1,5 +1,6 @@
 #include "model/export/atlas_exporter.h"
 #include "model/export/exporter.h"
+#include "model/export/gltf_exporter.h"
 #include "model/export/obj_exporter.h"
 
 namespace windfall::model {
@@ -8,6 +9,7 @@ const std::vector<std::unique_ptr<Exporter>>& exporters() {
   static const std::vector<std::unique_ptr<Exporter>> all = [] {
     std::vector<std::unique_ptr<Exporter>> made;
     made.push_back(std::make_unique<AtlasExporter>());
+    made.push_back(std::make_unique<GltfExporter>());
     made.push_back(std::make_unique<ObjExporter>());
     return made;
   }();

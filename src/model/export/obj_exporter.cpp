@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "model/document/durable_file.h"
-#include "model/plant/import.h"
-#include "model/progress_part.h"
+#include "model/export/gltf_exporter.h"
 
 namespace windfall::model {
 
@@ -73,15 +72,66 @@ QByteArray mtlText(const PlantGeometry& geometry, const QStringList& pictures) {
   return text;
 }
 
-Status ObjExporter::write(const Project& project, AssetId asset, const QString& path, const QJsonObject&,
+std::vector<ExportParameter> ObjExporter::parameters() const {
+  std::vector<ExportParameter> own;
+  for (const ExportParameter& parameter : plantExportParameters()) {
+    if (parameter.key == QLatin1String("detail") || parameter.key == QLatin1String("leaves")) own.push_back(parameter);
+  }
+  return own;
+}
+
+namespace {
+
+/// Leaves as mesh, with a material a picture: OBJ knows no instances.
+void mergeLeaves(PlantModel& model) {
+  PlantGeometry& geometry = model.geometry;
+  const auto firstMaterial = static_cast<int>(geometry.materials.size());
+  for (const LeafShape& shape : model.shapes) {
+    Material material;
+    material.name = shape.name;
+    material.baseColor = vec4(1);
+    material.texture = shape.image;
+    material.leaf = true;
+    geometry.materials.push_back(material);
+  }
+  for (std::size_t s = 0; s < model.shapes.size(); ++s) {
+    const LeafShape& shape = model.shapes[s];
+    MeshPart part;
+    part.firstIndex = static_cast<std::uint32_t>(geometry.indices.size());
+    part.material = firstMaterial + static_cast<int>(s);
+    for (const PlacedLeaf& leaf : model.leaves) {
+      if (leaf.shape != static_cast<int>(s)) continue;
+      const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
+      for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+        Vertex vertex{};
+        vertex.position = leaf.position + leaf.rotation * (leaf.size * shape.positions[i]);
+        vertex.normal = leaf.rotation * vec3(0, 0, 1);
+        vertex.uv = shape.uvs[i];
+        geometry.vertices.push_back(vertex);
+      }
+      for (const std::uint32_t index : shape.indices) geometry.indices.push_back(first + index);
+    }
+    part.indexCount = static_cast<std::uint32_t>(geometry.indices.size()) - part.firstIndex;
+    if (part.indexCount > 0) geometry.parts.push_back(part);
+  }
+}
+
+}  // namespace
+
+Status ObjExporter::write(const Project& project, AssetId asset, const QString& path, const QJsonObject& values,
                           Progress& progress) const {
-  const Plant* plant = project.plant(asset);
-  if (!plant) return Error{"there is no such plant"};
-  ProgressPart loading(progress, 0, 0.6);
-  const Result<PlantGeometry> geometry = loadGeometry(*plant, loading);
-  if (!geometry)
-    return Error{"plant “" + plant->name.toStdString() + "”: " + geometry.error().message, geometry.error().cancelled};
+  PlantExportOptions options;
+  const Result<double> detail = parameterValue(*this, values, QStringLiteral("detail"));
+  if (!detail) return detail.error();
+  const Result<double> leaves = parameterValue(*this, values, QStringLiteral("leaves"));
+  if (!leaves) return leaves.error();
+  options.detail = *detail;
+  options.leaves = static_cast<LeafExport>(static_cast<int>(*leaves));
+  Result<PlantModel> model = modelOf(project, asset, options, progress);
+  if (!model) return model.error();
   if (progress.cancelled()) return Error{"cancelled", true};
+  mergeLeaves(*model);
+  const PlantGeometry* geometry = &model->geometry;
 
   // The .obj comes last: where it stands, all that it names does too.
   const QFileInfo target(path);

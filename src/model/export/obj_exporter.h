@@ -13,6 +13,7 @@ class ObjExporter : public Exporter {
   QString title() const override;
   QStringList extensions() const override { return {QStringLiteral("obj")}; }
   ExportSubject subject() const override { return ExportSubject::Plant; }
+  std::vector<ExportParameter> parameters() const override;
   Status write(const Project& project, AssetId asset, const QString& path, const QJsonObject& values,
                Progress& progress) const override;
 };

@@ -88,6 +88,7 @@ MeshSettings meshSettings(const SurfaceSettings& settings) {
   mesh.lobes = static_cast<float>(settings.lobes);
   mesh.gnarl = static_cast<float>(settings.gnarl);
   mesh.tile = static_cast<float>(settings.tile);
+  mesh.bakeRepeats = settings.bakeRepeats;
   return mesh;
 }
 

@@ -21,6 +21,7 @@ struct SurfaceSettings {
   double gnarl = 0;          ///< bumps, share of the radius
   bool roots = true;         ///< shows roots under the ground, where the file has them
   bool followsState = true;  ///< green where there is no wood yet, drooping leaves where water is short
+  bool bakeRepeats = false;  ///< for export: bark coordinates that need no shader; never saved
   bool operator==(const SurfaceSettings&) const = default;
 };
 

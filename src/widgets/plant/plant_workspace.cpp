@@ -9,12 +9,15 @@
 #include <QSplitter>
 #include <algorithm>
 
+#include "model/export/exporter.h"
 #include "model/plant/import.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 #include "widgets/plant/branch_attributes.h"
 #include "widgets/plant/motion_plot.h"
+#include "widgets/plant/plant_export_dialog.h"
 #include "widgets/plant/plant_settings.h"
+#include "widgets/plant/surface_panel.h"
 #include "widgets/scene/transport.h"
 #include "widgets/viewport/camera_json.h"
 
@@ -101,6 +104,7 @@ void PlantWorkspace::makeInspector() {
   branches_ = new BranchPanel;
   attributes_ = new BranchAttributes(context_.document, *panel, this);
   settings_ = new PlantSettings(context_.document, *panel, this);
+  surface_ = new SurfacePanel(context_.document, *panel, this);
   auto* splitter = new QSplitter(Qt::Vertical);
   splitter->setChildrenCollapsible(false);
   splitter->addWidget(branches_);
@@ -115,6 +119,12 @@ void PlantWorkspace::makeInspector() {
   connect(settings_, &PlantSettings::windChanged, this, &PlantWorkspace::setWind);
   connect(settings_, &PlantSettings::importWanted, this, &PlantWorkspace::askForFile);
   connect(settings_, &PlantSettings::growWanted, this, &PlantWorkspace::grow);
+  connect(surface_, &SurfacePanel::dataChosen, this, &PlantWorkspace::showData);
+  connect(surface_, &SurfacePanel::replaceWanted, this, &PlantWorkspace::askForReplacement);
+  connect(surface_, &SurfacePanel::reloadWanted, this, [this] {
+    if (const auto path = paths_.find(plant_); path != paths_.end()) replaceFile(path->second);
+  });
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &PlantWorkspace::fileChanged);
 }
 
 void PlantWorkspace::makeStrip() {
@@ -130,6 +140,7 @@ void PlantWorkspace::makeStrip() {
 void PlantWorkspace::fillMenu(QMenu& menu) {
   menu.addAction(icon("import"), tr("Import Plant…"), this, &PlantWorkspace::askForFile);
   menu.addAction(icon("plant"), tr("Grow Plant"), this, &PlantWorkspace::grow);
+  menu.addAction(icon("export"), tr("Export Plant…"), this, [this] { exportResult(true); });
   menu.addSeparator();
   menu.addAction(transport_->playAction());
   menu.addAction(transport_->stepAction());
@@ -202,10 +213,10 @@ void PlantWorkspace::follow(const model::Change& change) {
       } else {
         outdated_ = true;
       }
-      settings_->show(plant_, loaded());
+      showSettings();
       break;
     case model::Aspect::Assets:
-      settings_->show(plant_, loaded());
+      showSettings();
       break;
     default:
       break;
@@ -220,8 +231,8 @@ void PlantWorkspace::choosePlant(model::AssetId plant) {
     outdated_ = false;
     feed_.rebuild(false);
   }
-  settings_->show(plant_, loaded());
-  viewport_->setHint(plant_ ? QString() : tr("Import a tree (FBX, glTF) or grow one."));
+  showSettings();
+  viewport_->setHint(plant_ ? QString() : tr("Import a plant (FBX, glTF, .prim) or grow one."));
 }
 
 void PlantWorkspace::activate() {
@@ -243,13 +254,36 @@ void PlantWorkspace::show(model::AssetId asset) {
 void PlantWorkspace::showPlant() {
   const model::LoadedPlant plant = loaded();
   branches_->setPlant(plant);
-  settings_->show(plant_, plant);
+  showSettings();
+  showData();
   showChosen();
   if (framedPlant_ == plant_) return;
   framedPlant_ = plant_;
   const auto box = bounds(false);
   if (!box || std::exchange(keepCamera_, false)) return;
   viewport_->frameAtOnce(*box);
+}
+
+void PlantWorkspace::showSettings() {
+  settings_->show(plant_, loaded());
+  surface_->show(plant_);
+  surface_->setChangedOnDisk(changedOnDisk_.contains(plant_));
+}
+
+void PlantWorkspace::showData() {
+  const model::LoadedPlant plant = loaded();
+  const model::PlantData what = surface_->data();
+  if (what == model::PlantData::None || !plant.geometry || feed_.assembly()->sim.trees.empty()) {
+    surface_->showData({});
+    controller_.setLinkColors({});
+    return;
+  }
+  const model::LinkData data = model::linkData(what, *plant.geometry, *plant.bodies,
+                                               *feed_.assembly()->sim.trees.front().tree, controller_.last().pose);
+  std::vector<std::uint32_t> colors;
+  for (const float value : data.values) colors.push_back(model::dataColor(what, data, value));
+  controller_.setLinkColors(std::move(colors));
+  surface_->showData(data);
 }
 
 void PlantWorkspace::showChosen() {
@@ -281,6 +315,7 @@ void PlantWorkspace::showChosen() {
 }
 
 void PlantWorkspace::showFrame() {
+  if (surface_->data() == model::PlantData::Stress) showData();
   const FrameResult& last = controller_.last();
   if (!tipLink_ || *tipLink_ >= last.pose.size() || *tipLink_ >= feed_.capsules().size()) return;
   const vec3 tip = feed_.capsules()[*tipLink_].to;
@@ -313,8 +348,8 @@ bool PlantWorkspace::openFile(const QString& path) {
   context_.jobs.start<model::Plant>(
       tr("Importing %1").arg(QFileInfo(path).fileName()), "import plant",
       [path](model::Progress& progress) { return readPlant(path, progress); },
-      [self = QPointer<PlantWorkspace>(this)](model::Plant plant) {
-        if (self) self->addPlant(std::move(plant));
+      [self = QPointer<PlantWorkspace>(this), path](model::Plant plant) {
+        if (self) self->addPlant(std::move(plant), path);
       });
   return true;
 }
@@ -327,7 +362,7 @@ void PlantWorkspace::grow() {
 }
 
 /// The first plant of a project also gets a tree in the scene, so that there is something to see.
-void PlantWorkspace::addPlant(model::Plant plant) {
+void PlantWorkspace::addPlant(model::Plant plant, const QString& path) {
   model::Document& document = context_.document;
   for (const model::Leaf& leaf : document.project().leaves) plant.leaves.push_back(leaf.id);
   document.undoStack().beginMacro(tr("Add %1").arg(plant.name));
@@ -339,12 +374,115 @@ void PlantWorkspace::addPlant(model::Plant plant) {
     document.addTree(tree);
   }
   document.undoStack().endMacro();
+  if (!path.isEmpty()) watchFile(id, path);
   choosePlant(id);
 }
 
+namespace {
+
+/// The exporter that writes a file of this name; null: none.
+const model::Exporter* exporterOf(const QString& path) {
+  for (const auto& exporter : model::exporters()) {
+    const bool writes = exporter->extensions().contains(QFileInfo(path).suffix().toLower());
+    if (exporter->subject() == model::ExportSubject::Plant && writes) return exporter.get();
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void PlantWorkspace::exportResult(bool elsewhere) {
+  const model::Plant* plant = context_.document.project().plant(plant_);
+  if (plant == nullptr) return;
+  QString path = exports_.contains(plant_) ? exports_[plant_] : QString();
+  if (!path.isEmpty() && !elsewhere) return exportTo(path);
+  QStringList filters;
+  for (const auto& exporter : model::exporters()) {
+    if (exporter->subject() != model::ExportSubject::Plant) continue;
+    filters << QStringLiteral("%1 (*.%2)").arg(exporter->title(), exporter->extensions().join(" *."));
+  }
+  const QString initial = path.isEmpty() ? plant->name + QStringLiteral(".glb") : path;
+  path = QFileDialog::getSaveFileName(viewport_, tr("Export Plant"), initial, filters.join(QStringLiteral(";;")));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".glb");
+  const model::Exporter* exporter = exporterOf(path);
+  if (exporter == nullptr) {
+    emit message(tr("%1 is no format that plants are written in").arg(QFileInfo(path).fileName()), true);
+    return;
+  }
+  PlantExportDialog dialog(*exporter, exportValues_, viewport_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  exportValues_ = dialog.values();
+  exportTo(path);
+}
+
+void PlantWorkspace::exportTo(const QString& path) {
+  const model::Exporter* exporter = exporterOf(path);
+  if (exporter == nullptr) return;
+  exports_[plant_] = path;
+  // What one exporter asks for another may not know.
+  QJsonObject values;
+  for (const model::ExportParameter& parameter : exporter->parameters()) {
+    if (exportValues_.contains(parameter.key)) values[parameter.key] = exportValues_.value(parameter.key);
+  }
+  context_.jobs.start<QString>(
+      tr("Exporting %1").arg(QFileInfo(path).fileName()), "export plant",
+      [exporter, path, values, id = plant_,
+       project = context_.document.project()](model::Progress& progress) -> Result<QString> {
+        if (const Status written = exporter->write(project, id, path, values, progress); !written) {
+          return Error{QFileInfo(path).fileName().toStdString() + ": " + written.error().message,
+                       written.error().cancelled};
+        }
+        return path;
+      },
+      [self = QPointer<PlantWorkspace>(this)](const QString& written) {
+        if (self) emit self->message(tr("Exported to %1").arg(written), false);
+      });
+}
+
+void PlantWorkspace::askForReplacement() {
+  const QString path = QFileDialog::getOpenFileName(viewport_, tr("Point at Another File"), {},
+                                                    tr("Plants (%1)").arg(model::plantFilePatterns().join(' ')));
+  if (!path.isEmpty()) replaceFile(path);
+}
+
+void PlantWorkspace::replaceFile(const QString& path) {
+  context_.jobs.start<model::Plant>(
+      tr("Importing %1").arg(QFileInfo(path).fileName()), "import plant",
+      [path](model::Progress& progress) { return readPlant(path, progress); },
+      [self = QPointer<PlantWorkspace>(this), path, id = plant_](model::Plant plant) {
+        if (!self || self->context_.document.project().plant(id) == nullptr) return;
+        self->watchFile(id, path);
+        self->context_.document.setPlant(id, &model::Plant::file, plant.file, model::Aspect::PlantSource,
+                                         tr("Point a plant at %1").arg(plant.file.name));
+        self->showSettings();
+      });
+}
+
+void PlantWorkspace::watchFile(model::AssetId plant, const QString& path) {
+  paths_[plant] = path;
+  changedOnDisk_.erase(plant);
+  watcher_.addPath(path);
+}
+
+void PlantWorkspace::fileChanged(const QString& path) {
+  for (const auto& [plant, watched] : paths_) {
+    if (watched != path) continue;
+    changedOnDisk_.insert(plant);
+    emit message(
+        tr("%1 has changed on disk: “Load again” in the plant's settings takes it up").arg(QFileInfo(path).fileName()),
+        false);
+  }
+  // Programs that replace a file take it away from the watcher.
+  if (QFileInfo::exists(path)) watcher_.addPath(path);
+  showSettings();
+}
+
 QJsonObject PlantWorkspace::saveView() const {
-  return {
-      {"camera", toJson(viewport_->camera().state())}, {"wind", settings_->wind()}, {"plant", double(plant_.value)}};
+  return {{"camera", toJson(viewport_->camera().state())},
+          {"wind", settings_->wind()},
+          {"plant", double(plant_.value)},
+          {"data", static_cast<int>(surface_->data())}};
 }
 
 void PlantWorkspace::restoreView(const QJsonObject& view) {
@@ -355,6 +493,7 @@ void PlantWorkspace::restoreView(const QJsonObject& view) {
   settings_->setWind(std::clamp(view["wind"].toDouble(settings_->wind()), 0.0, 60.0));
   show({static_cast<quint64>(view["plant"].toDouble())});
   setWind(settings_->wind());
+  surface_->setData(static_cast<model::PlantData>(std::clamp(view["data"].toInt(0), 0, 7)));
 }
 
 bool PlantWorkspace::isSettled() const {

@@ -1,7 +1,10 @@
 // One plant alone: its branches in a list and in the view, and what can be tuned about them.
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QPointer>
+#include <map>
+#include <set>
 
 #include "widgets/plant/branch_panel.h"
 #include "widgets/scene/scene_feed.h"
@@ -14,6 +17,7 @@ namespace windfall::widgets {
 class BranchAttributes;
 class MotionPlot;
 class PlantSettings;
+class SurfacePanel;
 class Transport;
 
 class PlantWorkspace : public Workspace {
@@ -31,6 +35,7 @@ class PlantWorkspace : public Workspace {
   void fillMenu(QMenu& menu) override;
   bool openFile(const QString& path) override;
   void add() override { askForFile(); }
+  void exportResult(bool elsewhere) override;
   void activate() override;
   void deactivate() override;
   void show(model::AssetId asset) override;
@@ -43,6 +48,7 @@ class PlantWorkspace : public Workspace {
   SceneFeed& feed() { return feed_; }
   BranchPanel& branches() { return *branches_; }
   MotionPlot& motion() { return *motion_; }
+  SurfacePanel& surface() { return *surface_; }
   Viewport& viewport() { return *viewport_; }
 
  private:
@@ -65,10 +71,18 @@ class PlantWorkspace : public Workspace {
   void showPlant();
   void showChosen();
   void showFrame();
+  void showSettings();
+  void exportTo(const QString& path);
+  void showData();
+  void askForReplacement();
+  /// Replaces the shown plant's file and keeps what is set about it.
+  void replaceFile(const QString& path);
+  void watchFile(model::AssetId plant, const QString& path);
+  void fileChanged(const QString& path);
   void setWind(double speed);
   void askForFile();
   void grow();
-  void addPlant(model::Plant plant);
+  void addPlant(model::Plant plant, const QString& path = {});
   std::optional<Box> bounds(bool chosenOnly) const;
 
   WorkspaceContext context_;
@@ -81,6 +95,12 @@ class PlantWorkspace : public Workspace {
   BranchPanel* branches_ = nullptr;
   BranchAttributes* attributes_ = nullptr;
   PlantSettings* settings_ = nullptr;
+  SurfacePanel* surface_ = nullptr;
+  QFileSystemWatcher watcher_;
+  std::map<model::AssetId, QString> paths_;  ///< where a plant's file was read from, in this session
+  std::set<model::AssetId> changedOnDisk_;
+  std::map<model::AssetId, QString> exports_;  ///< where each plant went last
+  QJsonObject exportValues_;
   Transport* transport_ = nullptr;
   MotionPlot* motion_ = nullptr;
   QAction *select_ = nullptr, *chooseAll_ = nullptr, *chooseNone_ = nullptr;

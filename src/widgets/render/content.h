@@ -20,6 +20,8 @@ struct Vertex {
   vec2 uv{0};
   std::uint32_t links[4]{};  ///< indices into the tree's own links
   float weights[4]{};
+  float repeats = 0;                         ///< of generated bark: log2 of its picture's repeats round the stem
+  std::uint8_t tint[4]{255, 255, 255, 255};  ///< on the colour; the last: share of wood, 0 green
 };
 
 struct Material {

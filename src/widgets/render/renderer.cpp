@@ -35,11 +35,11 @@ struct Renderer::Impl {
   SceneExtent extent;
   Program sky, ground[2], grass, present;
   Texture noise, skyTable;
-  Buffer uniforms, highlights;
+  Buffer uniforms, highlights, linkColors;
   VertexArray empty;
   SkyLight skyLight;
   vec3 skySun{0};
-  std::vector<std::uint32_t> highlighted, highlightBits;
+  std::vector<std::uint32_t> highlighted, highlightBits, shownColors;
   bool software = false;
   double drawTime = 0;
   DrawCounts counts;
@@ -48,6 +48,8 @@ struct Renderer::Impl {
   void updateSky(const View& view);
   void updateHighlights(const View& view);
   void makeHighlights(std::size_t linkCount);
+  void updateLinkColors(const View& view);
+  void makeLinkColors();
   void drawShadows(const ShadowFit& fit);
   void drawPicture(const View& view);
   void drawPresent(const View& view, unsigned framebuffer);
@@ -104,6 +106,19 @@ void Renderer::Impl::updateHighlights(const View& view) {
                        highlightBits.data());
 }
 
+/// One more than there are links, so that a length of one says that there are none.
+void Renderer::Impl::makeLinkColors() {
+  std::vector<std::uint32_t> padded(shownColors.empty() ? 1 : ring.linkCount() + 1, 0u);
+  std::copy_n(shownColors.begin(), std::min(shownColors.size(), ring.linkCount()), padded.begin());
+  linkColors = makeBuffer(static_cast<GLsizeiptr>(padded.size() * sizeof(std::uint32_t)), padded.data(), 0);
+}
+
+void Renderer::Impl::updateLinkColors(const View& view) {
+  if (view.linkColors == shownColors) return;
+  shownColors = view.linkColors;
+  makeLinkColors();
+}
+
 int Renderer::Impl::shadowSize(Quality quality) const {
   if (quality == Quality::High) return software ? 2048 : 4096;
   return quality == Quality::Draft || software ? 1024 : 2048;
@@ -112,6 +127,7 @@ int Renderer::Impl::shadowSize(Quality quality) const {
 void Renderer::Impl::bindFrame() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, highlights.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, linkColors.id());
   const int slot = ring.newest();
   if (slot >= 0 && ring.linkCount() > 0) {
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring.bones(), ring.boneOffset(slot),
@@ -191,6 +207,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
   glTextureParameteri(impl.skyTable.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   impl.uniforms = makeBuffer(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   impl.makeHighlights(0);
+  impl.makeLinkColors();
   impl.empty = makeVertexArray();
   if (outOfMemory()) return Error{"not enough graphics memory"};
   return made;
@@ -207,6 +224,7 @@ Status Renderer::setContent(const SceneContent& content) {
     static_cast<void>(impl_->ring.allocate(0, 0));
   }
   impl_->makeHighlights(impl_->ring.linkCount());
+  impl_->makeLinkColors();
   return status;
 }
 
@@ -226,6 +244,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   if (const Status sized = impl.shadow.resize(impl.shadowSize(view.quality)); !sized) return sized;
   impl.updateSky(view);
   impl.updateHighlights(view);
+  impl.updateLinkColors(view);
   const ShadowFit fit = fitShadow(impl.extent.center(), impl.extent.radius(), impl.skySun, impl.shadow.size());
   View lit = view;
   lit.toSun = impl.skySun;

@@ -90,7 +90,8 @@ void attribute(GLuint array, GLuint location, GLint count, GLenum type, std::siz
   if (type == GL_UNSIGNED_INT) {
     glVertexArrayAttribIFormat(array, location, count, type, static_cast<GLuint>(offset));
   } else {
-    glVertexArrayAttribFormat(array, location, count, type, GL_FALSE, static_cast<GLuint>(offset));
+    const GLboolean normalized = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
+    glVertexArrayAttribFormat(array, location, count, type, normalized, static_cast<GLuint>(offset));
   }
   glVertexArrayAttribBinding(array, location, 0);
 }
@@ -153,6 +154,8 @@ Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firs
   attribute(array, 2, 2, GL_FLOAT, offsetof(Vertex, uv));
   attribute(array, 3, 4, GL_UNSIGNED_INT, offsetof(Vertex, links));
   attribute(array, 4, 4, GL_FLOAT, offsetof(Vertex, weights));
+  attribute(array, 6, 1, GL_FLOAT, offsetof(Vertex, repeats));
+  attribute(array, 7, 4, GL_UNSIGNED_BYTE, offsetof(Vertex, tint));
   attribute(array, 5, 1, GL_UNSIGNED_INT, 0);
   glVertexArrayAttribBinding(array, 5, 1);
   glVertexArrayBindingDivisor(array, 1, 1);

@@ -21,6 +21,8 @@ struct View {
   float time = 0;                          ///< s, for clouds and grass
   vec3 wind{0};                            ///< m/s, for clouds and grass
   std::vector<std::uint32_t> highlighted;  ///< links of all trees, in the bone buffer's order
+  /// Of each link instead of its bark, 0xAABBGGRR in sRGB, alpha 0: bark; the bone buffer's order. Empty: bark for all.
+  std::vector<std::uint32_t> linkColors;
   Quality quality = Quality::Standard;
 };
 

@@ -169,6 +169,12 @@ void SimulationController::setHighlighted(std::vector<std::uint32_t> links) {
   emit redrawWanted();
 }
 
+void SimulationController::setLinkColors(std::vector<std::uint32_t> colors) {
+  if (colors == linkColors_) return;
+  linkColors_ = std::move(colors);
+  emit redrawWanted();
+}
+
 bool SimulationController::wantsFrame() const { return hasScene_ && (playing_ || frameOutdated_); }
 
 bool SimulationController::isSettled() const {
@@ -264,6 +270,7 @@ void SimulationController::describe(render::View& view) const {
   const float length = glm::length(along);
   view.wind = length > 0 ? along * (scene_.wind.speed / length) : vec3(0);
   view.highlighted = highlighted_;
+  view.linkColors = linkColors_;
 }
 
 void SimulationController::release() {

@@ -63,6 +63,8 @@ class SimulationController : public QObject, public FrameSource {
 
   void setView(vec3 toSun, float sunStrength);
   void setHighlighted(std::vector<std::uint32_t> links);
+  /// Colours instead of bark (render::View::linkColors); empty: bark.
+  void setLinkColors(std::vector<std::uint32_t> colors);
 
   /// Nothing is in work and the newest frame is in the renderer's hands.
   bool isSettled() const;
@@ -111,7 +113,7 @@ class SimulationController : public QObject, public FrameSource {
   QString shownProblem_;
   vec3 toSun_{0.5f, 0.6f, 0.6f};
   float sunStrength_ = 1;
-  std::vector<std::uint32_t> highlighted_;
+  std::vector<std::uint32_t> highlighted_, linkColors_;
 };
 
 }  // namespace windfall::widgets

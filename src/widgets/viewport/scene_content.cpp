@@ -28,7 +28,8 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   render::Mesh mesh;
   mesh.vertices.reserve(geometry.vertices.size());
   for (const model::Vertex& from : geometry.vertices) {
-    render::Vertex to{from.position * scale, from.normal, from.uv, {}, {}};
+    render::Vertex to{from.position * scale, from.normal, from.uv, {}, {}, from.repeats, {}};
+    std::copy(from.tint.begin(), from.tint.end(), to.tint);
     for (std::size_t k = 0; k < 4; ++k) {
       to.links[k] = from.bones[k] < links.size() ? links[from.bones[k]] : 0;
       to.weights[k] = from.weights[k];

@@ -1,0 +1,55 @@
+// A plant made ready to be written: mesh, bones, leaves, motions.
+#pragma once
+
+#include "model/document/project.h"
+#include "model/export/bone_reduction.h"
+#include "model/leaf/atlas.h"
+#include "model/progress.h"
+
+namespace windfall::model {
+
+enum class LeafExport {
+  Instances,  ///< EXT_mesh_gpu_instancing on each bone
+  Merged,     ///< one skinned mesh
+  Nodes,      ///< a node a leaf
+  None,
+};
+
+struct PlantExportOptions {
+  double detail = -1;  ///< 0..1; negative: the plant's own
+  BoneLimits bones;
+  LeafExport leaves = LeafExport::Merged;
+  int levels = 1;  ///< static levels of detail, the first with `detail`
+};
+
+/// A leaf's blade for one picture: lengths in leaf lengths, +y to the tip, +z out of the upper face.
+struct LeafShape {
+  QString name;
+  QImage image;
+  std::vector<vec3> positions;
+  std::vector<vec2> uvs;
+  std::vector<std::uint32_t> indices;
+};
+
+/// Where a leaf is: rest pose, plant space.
+struct PlacedLeaf {
+  int bone = 0, shape = 0;
+  vec3 position{0};
+  quat rotation{1, 0, 0, 0};
+  float size = 0;  ///< m
+};
+
+struct PlantModel {
+  QString name;
+  PlantGeometry geometry;              ///< what is hidden is gone; texture coordinates need no shader
+  std::vector<PlantGeometry> coarser;  ///< further levels: vertices, indices, parts
+  std::vector<LeafShape> shapes;
+  std::vector<PlacedLeaf> leaves;
+  std::vector<Clip> clips;
+};
+
+/// Loads a plant of the project for export. Errors name the plant.
+Result<PlantModel> modelOf(const Project& project, AssetId plant, const PlantExportOptions& options,
+                           Progress& progress);
+
+}  // namespace windfall::model
