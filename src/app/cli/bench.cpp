@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/plant_bench.h"
 #include "model/leaf/quality_bench.h"
 #include "model/leaf/texture_bench.h"
 #include "sim/bench.h"
@@ -79,6 +80,7 @@ int bench(const BenchOptions& options) {
     return fail(program, QStringLiteral("did not end well"));
   }
   for (sim::Benchmark& benchmark : model::textureBenchmarks()) benchmarks.push_back(std::move(benchmark));
+  for (sim::Benchmark& benchmark : plantBenchmarks()) benchmarks.push_back(std::move(benchmark));
   for (const sim::Benchmark& benchmark : benchmarks) {
     if (benchmark.name.find(options.filter) == std::string::npos) continue;
     results.push_back(sim::runBenchmark(benchmark, options.rounds));

@@ -9,7 +9,7 @@ namespace windfall::app {
 namespace {
 constexpr DeclareCommand kCommands[] = {
     declareAtlas, declareBench,  declareCheck,    declareLeaf, declareNew,
-    declarePlant, declareRender, declareSimulate, declareShot,
+    declarePlant, declareRender, declareSimulate, declareShot, declareSpecies,
 };
 }  // namespace
 

@@ -14,5 +14,6 @@ void declarePlant(CLI::App& app, Action& action);
 void declareRender(CLI::App& app, Action& action);
 void declareSimulate(CLI::App& app, Action& action);
 void declareShot(CLI::App& app, Action& action);
+void declareSpecies(CLI::App& app, Action& action);
 
 }  // namespace windfall::app

@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/plant_generate.h"
 #include "model/plant/bodies.h"
 #include "model/plant/import.h"
 
@@ -50,12 +51,24 @@ int plantInfo(const QString& path) {
 }  // namespace
 
 void declarePlant(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("plant", "Look into a plant file");
+  CLI::App* command = app.add_subcommand("plant", "Look into a plant file, or grow a plant");
   auto file = std::make_shared<std::string>();
-  command->add_option("FILE", *file, "Plant with an armature: .fbx, .glb or .gltf")->required();
+  command->add_option("FILE", *file, "Plant with an armature: .fbx, .glb or .gltf");
+  auto info = std::make_shared<bool>(false);
   const std::string what = "Print what is in it as one JSON object: lengths in m, mass in kg, frequency in Hz";
-  command->add_flag("--info", what)->required();
-  command->callback([file, &action] { action = [file] { return plantInfo(text(*file)); }; });
+  command->add_flag("--info", *info, what);
+  const std::shared_ptr<GenerateOptions> generate = declareGenerate(*command);
+  command->add_option("-o,--output", generate->output, "The file to write: .obj, .prim or a .windfall project");
+  command->callback([file, info, generate, &action] {
+    if (!generate->method.empty()) {
+      if (generate->output.empty()) throw CLI::RequiredError("--output");
+      action = [generate] { return generatePlant(*generate); };
+      return;
+    }
+    if (file->empty()) throw CLI::RequiredError("FILE or --generate");
+    if (!*info) throw CLI::RequiredError("--info");
+    action = [file] { return plantInfo(text(*file)); };
+  });
 }
 
 }  // namespace windfall::app

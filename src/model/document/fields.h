@@ -59,7 +59,7 @@ class FieldWriter {
   /// Any 64 bits: a number while JSON keeps it exactly, else decimal digits as text.
   void seed(const char* key, quint64 value);
   void flag(const char* key, bool value) { object_[QLatin1String(key)] = value; }
-  void text(const char* key, const QString& value);
+  void text(const char* key, const QString& value, qsizetype most = kLongestText);
   void id(const char* key, AssetId value) { seed(key, value.value); }
   void ids(const char* key, const std::vector<AssetId>& values);
   /// Three components, each within +-limit.
@@ -142,7 +142,7 @@ class FieldReader {
     if (const auto read = readSeed(key)) value = *read;
   }
   void flag(const char* key, bool& value);
-  void text(const char* key, QString& value);
+  void text(const char* key, QString& value, qsizetype most = kLongestText);
   /// Required, and not 0.
   void id(const char* key, AssetId& value);
   void ids(const char* key, std::vector<AssetId>& values);

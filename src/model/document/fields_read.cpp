@@ -76,12 +76,12 @@ void FieldReader::flag(const char* key, bool& value) {
   if (const QJsonValue json = get(key, QJsonValue::Bool); !json.isUndefined()) value = json.toBool();
 }
 
-void FieldReader::text(const char* key, QString& value) {
+void FieldReader::text(const char* key, QString& value, qsizetype most) {
   const QJsonValue json = get(key, QJsonValue::String);
   if (json.isUndefined()) return;
   value = json.toString();
-  if (value.size() > kLongestText) {
-    fail(inside(key), QStringLiteral("is longer than %1 characters").arg(kLongestText));
+  if (value.size() > most) {
+    fail(inside(key), QStringLiteral("is longer than %1 characters").arg(most));
   }
 }
 
@@ -130,7 +130,10 @@ void FieldReader::place(const char* key, QPointF& value) {
 }
 
 void FieldReader::points(const char* key, std::vector<QPointF>& values) {
-  const QJsonArray array = get(key, QJsonValue::Array).toArray();
+  const QJsonValue json = get(key, QJsonValue::Array);
+  if (json.isUndefined()) return;
+  const QJsonArray array = json.toArray();
+  values.clear();
   if (array.size() % 2 != 0) return fail(inside(key), QStringLiteral("has an x without its y"));
   if (array.size() / 2 > kMostPoints) {
     return fail(inside(key), QStringLiteral("has more than %1 points").arg(kMostPoints));

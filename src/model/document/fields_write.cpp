@@ -57,9 +57,9 @@ void FieldWriter::seed(const char* key, quint64 value) {
   }
 }
 
-void FieldWriter::text(const char* key, const QString& value) {
-  if (value.size() > kLongestText) {
-    return fail(inside(key), QStringLiteral("is longer than %1 characters").arg(kLongestText));
+void FieldWriter::text(const char* key, const QString& value, qsizetype most) {
+  if (value.size() > most) {
+    return fail(inside(key), QStringLiteral("is longer than %1 characters").arg(most));
   }
   object_[QLatin1String(key)] = value;
 }

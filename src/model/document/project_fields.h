@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/document/fields.h"
+#include "model/document/grower_fields.h"
 #include "model/document/project.h"
 
 namespace windfall::model {
@@ -137,12 +138,20 @@ void fields(Io& io, typename Io::template Ref<Leaf> leaf) {
 
 template <class Io>
 void fields(Io& io, typename Io::template Ref<GrowerSettings> grower) {
+  io.number("method", grower.method, 0, 3);
   io.seed("seed", grower.seed);
   io.number("height", grower.height, 0.01, 200);
   io.number("baseRadius", grower.baseRadius, 1e-4, 50);
   io.number("limbs", grower.limbs, 0, 2000);
   io.number("levels", grower.levels, 1, 8);
   io.number("spread", grower.spread, 0, 180);
+  io.number("age", grower.age, 0, 1e4);
+  io.number("maturity", grower.maturity, 0.1, 1e4);
+  io.object("colonization", grower.colonization);
+  io.object("selfOrganizing", grower.selfOrganizing);
+  io.object("lSystem", grower.lSystem);
+  io.object("foliage", grower.foliage);
+  io.object("wood", grower.wood);
 }
 
 template <class Io>
@@ -180,6 +189,8 @@ void fields(Io& io, typename Io::template Ref<Plant> plant) {
   io.text("name", plant.name);
   io.source("source", plant.file, QStringLiteral("plants/%1/source").arg(plant.id.value));
   io.object("grower", plant.grower);
+  io.source("crown", plant.crown, QStringLiteral("plants/%1/crown").arg(plant.id.value));
+  io.list("handEdits", plant.handEdits, 10'000);
   io.table("edits", plant.edits, 1'000'000);
   io.ids("leaves", plant.leaves);
   io.number("leafDensity", plant.leafDensity, 0, 1000);

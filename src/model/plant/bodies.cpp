@@ -146,13 +146,16 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
     bodies.tree.links.push_back(link);
   }
 
-  const double area = naturalLeafArea(bones, bodies.branches);
+  // A grower has said where leaves stand: without any the plant is bare.
+  const bool bare =
+      geometry.leafSites.empty() && plant.file.isEmpty() && plant.grower && plant.grower->method != GrowMethod::Rule;
+  const double area = bare ? 0 : naturalLeafArea(bones, bodies.branches);
   shareLeafArea(area * plant.leafDensity, geometry, bodies);
   // Before the artist's edits, so that softer wood bends more instead of growing thicker.
   makeSelfSupporting(bodies.tree);
   applyEdits(bodies.tree, geometry, bodies.boneOfLink, plant.edits);
   const std::vector<sim::LeafSite> natural =
-      geometry.leafSites.empty() ? leafSitesOnTerminals(bones, bodies.branches, area) : geometry.leafSites;
+      geometry.leafSites.empty() && !bare ? leafSitesOnTerminals(bones, bodies.branches, area) : geometry.leafSites;
   std::vector<sim::LeafSite> sites;
   for (const sim::LeafSite& site : natural) {
     const int link = bodies.carrierOfBone[at(site.link)];

@@ -40,6 +40,11 @@ void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry);
 /// Short shoots on the outer axes and the leaves on them; `area` is the one-sided area wanted, m2.
 void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, PlantGeometry& geometry);
 
+/// Smooth value noise -1..1 that repeats after `width` by `height` cells.
+float tileNoise(quint64 seed, float x, float y, int width, int height);
+/// Distance to the border between plates, in cells, of Worley's cellular noise (1996) that repeats.
+float tilePlates(quint64 seed, float x, float y, int width, int height);
+
 /// A tile of bark that repeats in both directions: fissured ridges, sRGB.
 QImage barkTexture(quint64 seed);
 

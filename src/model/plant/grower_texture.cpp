@@ -6,10 +6,7 @@
 
 namespace windfall::model::grower {
 
-namespace {
-
-/// Smooth value noise -1..1 that repeats after `width` by `height` cells.
-float noise(quint64 seed, float x, float y, int width, int height) {
+float tileNoise(quint64 seed, float x, float y, int width, int height) {
   const float fx = std::floor(x), fy = std::floor(y);
   const auto value = [&](int dx, int dy) {
     const int cx = ((static_cast<int>(fx) + dx) % width + width) % width;
@@ -23,8 +20,7 @@ float noise(quint64 seed, float x, float y, int width, int height) {
   return (value(0, 0) * (1 - u) + value(1, 0) * u) * (1 - v) + (value(0, 1) * (1 - u) + value(1, 1) * u) * v;
 }
 
-/// Distance to the border between plates, in cells, of Worley's cellular noise (1996) that repeats.
-float plates(quint64 seed, float x, float y, int width, int height) {
+float tilePlates(quint64 seed, float x, float y, int width, int height) {
   const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y));
   float nearest = 9, second = 9;
   for (int dy = -1; dy <= 1; ++dy) {
@@ -45,8 +41,6 @@ float plates(quint64 seed, float x, float y, int width, int height) {
   return second - nearest;
 }
 
-}  // namespace
-
 QImage barkTexture(quint64 seed) {
   constexpr int kWidth = 256, kHeight = 512;
   QImage image(kWidth, kHeight, QImage::Format_RGBA8888);
@@ -55,16 +49,17 @@ QImage barkTexture(quint64 seed) {
     for (int x = 0; x < kWidth; ++x) {
       const float u = static_cast<float>(x) / kWidth, v = static_cast<float>(y) / kHeight;
       // Long plates with ragged borders, fine fissures inside them, lichen and grain on top.
-      const float bendX = 0.035f * noise(seed, u * 6, v * 10, 6, 10) + 0.012f * noise(seed + 7, u * 20, v * 32, 20, 32);
-      const float bendY = 0.03f * noise(seed + 8, u * 8, v * 12, 8, 12);
-      const float border = plates(seed + 1, (u + bendX) * 13, (v + bendY) * 5, 13, 5);
-      const float fine = plates(seed + 2, (u + bendX) * 31, (v + bendY) * 9, 31, 9);
+      const float bendX =
+          0.035f * tileNoise(seed, u * 6, v * 10, 6, 10) + 0.012f * tileNoise(seed + 7, u * 20, v * 32, 20, 32);
+      const float bendY = 0.03f * tileNoise(seed + 8, u * 8, v * 12, 8, 12);
+      const float border = tilePlates(seed + 1, (u + bendX) * 13, (v + bendY) * 5, 13, 5);
+      const float fine = tilePlates(seed + 2, (u + bendX) * 31, (v + bendY) * 9, 31, 9);
       const float plate = std::sqrt(std::clamp(border / 0.42f, 0.0f, 1.0f));
       const float split = 0.72f + 0.28f * std::clamp(fine / 0.3f, 0.0f, 1.0f);
-      const float grain =
-          0.6f * noise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) + 0.4f * noise(seed + 5, u * 128, v * 256, 128, 256);
-      const float tone = 0.5f + 0.5f * noise(seed + 9, u * 4, v * 6, 4, 6);
-      const float lichen = std::clamp(noise(seed + 6, u * 7, v * 13, 7, 13) * 1.6f - 0.5f, 0.0f, 1.0f);
+      const float grain = 0.6f * tileNoise(seed + 4, (u + bendX) * 70, v * 40, 70, 40) +
+                          0.4f * tileNoise(seed + 5, u * 128, v * 256, 128, 256);
+      const float tone = 0.5f + 0.5f * tileNoise(seed + 9, u * 4, v * 6, 4, 6);
+      const float lichen = std::clamp(tileNoise(seed + 6, u * 7, v * 13, 7, 13) * 1.6f - 0.5f, 0.0f, 1.0f);
       const float height = std::clamp(plate * split + 0.07f * grain, 0.0f, 1.0f);
       const vec3 deep(58, 49, 41), raised(126, 112, 96), light(148, 138, 124), pale(146, 152, 128);
       const vec3 top = raised + (light - raised) * tone;

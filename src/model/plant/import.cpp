@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "model/plant/assimp_importer.h"
+#include "model/plant/grow/grow_plant.h"
 #include "model/plant/grower.h"
 
 namespace windfall::model {
@@ -25,7 +26,10 @@ QStringList plantFilePatterns() {
 }
 
 Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress) {
-  if (plant.file.isEmpty() && plant.grower) return grow(*plant.grower, progress);
+  if (plant.file.isEmpty() && plant.grower) {
+    const bool byRule = plant.grower->method == GrowMethod::Rule;
+    return byRule ? grow(*plant.grower, progress) : growth::growPlant(plant, progress);
+  }
   const QString extension = QFileInfo(plant.file.name).suffix().toLower();
   for (const auto& importer : plantImporters()) {
     if (importer->extensions().contains(extension)) return importer->read(plant.file, progress);

@@ -8,11 +8,13 @@
 
 #include "model/ids.h"
 #include "model/plant/clip.h"
+#include "model/plant/grow/hand_edit.h"
+#include "model/plant/grow/settings.h"
 #include "model/source_file.h"
 
 namespace windfall::model {
 
-/// Settings of the built-in grower: trunk and limbs by rule.
+/// Settings of the built-in growers. What one method does not use is kept for the others.
 struct GrowerSettings {
   quint64 seed = 1;
   double height = 8;         ///< m
@@ -20,6 +22,14 @@ struct GrowerSettings {
   int limbs = 26;
   int levels = 3;      ///< trunk, limbs, twigs
   double spread = 55;  ///< degrees between a limb and the trunk
+  GrowMethod method = GrowMethod::Rule;
+  double age = 60;       ///< years
+  double maturity = 60;  ///< years until the plant is full-grown
+  ColonizationSettings colonization;
+  SelfOrganizingSettings selfOrganizing;
+  LSystemSettings lSystem;
+  FoliageSettings foliage;
+  WoodSettings wood;
   bool operator==(const GrowerSettings&) const = default;
 };
 
@@ -40,10 +50,12 @@ struct Plant {
   QString name;
   SourceFile file;                          ///< empty: grown
   std::optional<GrowerSettings> grower;     ///< set when there is no file
-  std::map<QString, LinkAttributes> edits;  ///< by bone name; what is absent has defaults
   std::vector<AssetId> leaves;              ///< leaf assets whose kept variants hang on it
   double leafDensity = 1;                   ///< leaves on the tree, share of the natural number
   std::vector<Clip> clips;                  ///< baked motions; those of the file are with its geometry
+  SourceFile crown;                         ///< a closed mesh that the crown fills instead of its outline; metres
+  std::vector<HandEdit> handEdits;          ///< what was pruned, bent and drawn, in that order
+  std::map<QString, LinkAttributes> edits;  ///< by bone name; what is absent has defaults
   bool operator==(const Plant&) const = default;
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -75,6 +76,12 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, 
   }
   assembly.sim.wind = project.scene.wind;
   assembly.sim.leaves = project.scene.leaves;
+  if (assembly.sim.leaves.count < 0) {
+    // As many as there is room for, of each place one.
+    std::size_t sites = 0;
+    for (const sim::TreeInstance& tree : assembly.sim.trees) sites += tree.tree->sites.size();
+    assembly.sim.leaves.count = static_cast<std::int32_t>(std::min<std::size_t>(sites, 500'000));
+  }
   assembly.sim.solver = project.scene.solver;
   assembly.sim.leafLayers = static_cast<std::uint32_t>(plan.layers.size());
   assembly.sim.seed = project.scene.seed;

@@ -16,10 +16,11 @@ struct LayerRange {
   int first = 0, count = 1;
 };
 
-/// A layer: a kept variant of a leaf, or the painted stand-in.
+/// A layer: a kept variant of a leaf, or a painted stand-in.
 struct LayerSource {
   AssetId leaf;             ///< 0: the stand-in
-  std::size_t variant = 0;  ///< index in the leaf's variants
+  std::size_t variant = 0;  ///< index in the leaf's variants, or of the species' stand-ins
+  int look = -1;            ///< LeafLook of a stand-in; -1: a plain leaf
   bool operator==(const LayerSource&) const = default;
 };
 
@@ -29,7 +30,7 @@ struct LayerPlan {
 };
 
 /// Follows from the project alone, without looking at pictures. Plants with the same leaves share their layers; a plant
-/// without a kept variant gets the stand-in.
+/// without a kept variant gets the stand-ins of its species, or the plain one.
 LayerPlan planLayers(const Project& project);
 
 /// The textures of the plan. Each leaf's root and tip are found again from its photo (Stage::Contour).

@@ -1,4 +1,5 @@
 #include "model/export/kept_textures.h"
+#include "model/plant/grow/species_leaf.h"
 #include "model/progress_part.h"
 #include "model/sample/leaf_painter.h"
 #include "model/scene/assemble.h"
@@ -42,7 +43,11 @@ Result<std::vector<LeafTexture>> makeLayers(const Project& project, const LayerP
   }
   std::vector<LeafTexture> layers;
   for (const LayerSource& layer : plan.layers) {
-    layers.push_back(layer.leaf ? ofLeaf[layer.leaf][place[layer.leaf][layer.variant]] : standIn());
+    constexpr double kBlade = 0.08;  // m; the picture is drawn in the size of each leaf
+    layers.push_back(layer.leaf       ? ofLeaf[layer.leaf][place[layer.leaf][layer.variant]]
+                     : layer.look < 0 ? standIn()
+                                      : growth::speciesLeaf(static_cast<LeafLook>(layer.look),
+                                                            static_cast<int>(layer.variant), kBlade));
   }
   return layers;
 }

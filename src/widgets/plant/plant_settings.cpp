@@ -8,6 +8,7 @@
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/fields/preset_field.h"
+#include "widgets/plant/growth_fields.h"
 
 namespace windfall::widgets {
 
@@ -85,16 +86,16 @@ PlantSettings::PlantSettings(model::Document& document, FieldPanel& panel, QObje
        .hardMaximum = 300},
       [](const GrowerSettings& g) { return g.baseRadius * 100; },
       [](GrowerSettings& g, double v) { g.baseRadius = v / 100; });
-  grower(
+  ruleRows_.push_back(grower(
       "grower.limbs", tr("Limbs"), {.minimum = 0, .maximum = 60, .defaultValue = 26, .decimals = 0, .hardMaximum = 300},
       [](const GrowerSettings& g) { return g.limbs; },
-      [](GrowerSettings& g, double v) { g.limbs = static_cast<int>(v); });
-  grower(
+      [](GrowerSettings& g, double v) { g.limbs = static_cast<int>(v); }));
+  ruleRows_.push_back(grower(
       "grower.levels", tr("Levels"), {.minimum = 1, .maximum = 4, .defaultValue = 3, .decimals = 0},
       [](const GrowerSettings& g) { return g.levels; },
-      [](GrowerSettings& g, double v) { g.levels = static_cast<int>(v); })
-      ->setToolTip(tr("1 trunk, 2 limbs, 3 twigs"));
-  grower(
+      [](GrowerSettings& g, double v) { g.levels = static_cast<int>(v); }));
+  ruleRows_.back()->setToolTip(tr("1 trunk, 2 limbs, 3 twigs"));
+  ruleRows_.push_back(grower(
       "grower.spread", tr("Spread"),
       {.minimum = 10,
        .maximum = 100,
@@ -103,8 +104,12 @@ PlantSettings::PlantSettings(model::Document& document, FieldPanel& panel, QObje
        .unit = "°",
        .hardMinimum = 0,
        .hardMaximum = 140},
-      [](const GrowerSettings& g) { return g.spread; }, [](GrowerSettings& g, double v) { g.spread = v; })
-      ->setToolTip(tr("Angle between a limb and the trunk"));
+      [](const GrowerSettings& g) { return g.spread; }, [](GrowerSettings& g, double v) { g.spread = v; }));
+  ruleRows_.back()->setToolTip(tr("Angle between a limb and the trunk"));
+  growth_ = new GrowthFields(document_, panel, *grower_, this);
+  connect(growth_, &GrowthFields::methodShown, this, [this](bool byRule) {
+    for (QWidget* row : ruleRows_) row->setVisible(byRule);
+  });
 
   leaves_ = panel.addGroup("hanging", tr("Leaves on the plant"));
   density_ =
@@ -168,6 +173,7 @@ void PlantSettings::show(model::AssetId shown, const model::LoadedPlant& loaded)
   grower_->setVisible(plant != nullptr && plant->grower.has_value());
   info_->setVisible(plant != nullptr && loaded.geometry != nullptr);
   leaves_->setVisible(plant != nullptr);
+  growth_->show(shown);
   if (plant == nullptr) return;
   if (plant->grower) {
     preset_->show(*plant->grower, fresh(*plant->grower));

@@ -13,6 +13,7 @@ namespace windfall::widgets {
 
 class CheckField;
 class ChoiceField;
+class GrowthFields;
 class InfoField;
 class NumberField;
 class PresetField;
@@ -53,8 +54,10 @@ class PlantSettings : public QObject {
   ChoiceField* choice_;
   FieldGroup *grower_, *info_, *leaves_;
   PresetField* preset_;
+  GrowthFields* growth_;
   SeedField* seed_;
   std::vector<std::function<void(const model::GrowerSettings&)>> shows_;
+  std::vector<QWidget*> ruleRows_;  ///< of the plain rule only
   InfoField *source_, *bones_, *height_, *mass_, *frequency_;
   NumberField *density_, *wind_;
   QWidget* noLeaves_;

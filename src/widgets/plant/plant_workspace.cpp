@@ -9,18 +9,21 @@
 #include <QSplitter>
 #include <algorithm>
 
+#include "model/plant/grow/plant_presets.h"
 #include "model/plant/import.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 #include "widgets/plant/branch_attributes.h"
 #include "widgets/plant/motion_plot.h"
 #include "widgets/plant/plant_settings.h"
+#include "widgets/plant/plant_shaping.h"
 #include "widgets/scene/transport.h"
 #include "widgets/viewport/camera_json.h"
 
 namespace windfall::widgets {
 namespace {
 
+constexpr int kRegrowPause = 90;  // ms between the last change of a slider and the plant
 constexpr float kCalmSeason = 0;  // leaves stay on while branches are tuned
 
 /// Reads the file and imports it once, so that what is wrong with it is said before it is added.
@@ -76,6 +79,9 @@ PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
   viewport_->addActions({chooseAll_, chooseNone_});
   makeInspector();
   makeStrip();
+  regrow_.setSingleShot(true);
+  regrow_.setInterval(kRegrowPause);
+  connect(&regrow_, &QTimer::timeout, this, [this] { feed_.rebuild(false); });
 
   connect(chooseAll_, &QAction::triggered, branches_, &BranchPanel::chooseAll);
   connect(chooseNone_, &QAction::triggered, branches_, &BranchPanel::clear);
@@ -115,6 +121,11 @@ void PlantWorkspace::makeInspector() {
   connect(settings_, &PlantSettings::windChanged, this, &PlantWorkspace::setWind);
   connect(settings_, &PlantSettings::importWanted, this, &PlantWorkspace::askForFile);
   connect(settings_, &PlantSettings::growWanted, this, &PlantWorkspace::grow);
+  shaping_ = new PlantShaping({context_.document, *viewport_, feed_, controller_, [this] { return plant_; },
+                               [this] { return loaded(); }, [this] { return branches_->chosenLinks(); }},
+                              select_, click_, *panel, this);
+  connect(shaping_, &PlantShaping::message, this, &Workspace::message);
+  connect(shaping_, &PlantShaping::status, this, &Workspace::status);
 }
 
 void PlantWorkspace::makeStrip() {
@@ -127,9 +138,51 @@ void PlantWorkspace::makeStrip() {
   row->addWidget(motion_, 1);
 }
 
+QList<QAction*> PlantWorkspace::tools() { return QList<QAction*>{select_} + shaping_->actions(); }
+
+void PlantWorkspace::add() {
+  auto* menu = new QMenu(viewport_);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(icon("import"), tr("Import Plant…"), this, &PlantWorkspace::askForFile);
+  menu->addSeparator();
+  fillNewMenu(*menu);
+  menu->popup(QCursor::pos());
+}
+
+void PlantWorkspace::fillNewMenu(QMenu& menu) {
+  for (const model::Preset& preset : model::plantPresets(model::PresetLibrary())) {
+    menu.addAction(icon("plant"), preset.name, this, [this, name = preset.name] { growPreset(name); });
+  }
+}
+
+void PlantWorkspace::growPreset(const QString& name) {
+  Result<model::Plant> plant =
+      model::plantOfPreset(model::PresetLibrary(), name, context_.document.project().plants.size() + 1);
+  if (plant) {
+    model::Document& document = context_.document;
+    document.undoStack().beginMacro(tr("Add %1").arg(plant->name));
+    // The first tree of a scene brings leaves enough to be known by them.
+    sim::LeafSettings leaves = document.project().scene.leaves;
+    constexpr std::int32_t kEnough = 60'000;
+    if (document.project().scene.trees.empty() && plant->grower->height > 4 && leaves.count < kEnough) {
+      leaves.count = kEnough;
+      document.setScene(&model::Scene::leaves, leaves, model::Aspect::FallingLeaves, tr("Change the number of leaves"));
+    }
+    addPlant(std::move(*plant), false);
+    document.undoStack().endMacro();
+  } else {
+    emit message(QString::fromStdString(plant.error().message), true);
+  }
+}
+
 void PlantWorkspace::fillMenu(QMenu& menu) {
   menu.addAction(icon("import"), tr("Import Plant…"), this, &PlantWorkspace::askForFile);
   menu.addAction(icon("plant"), tr("Grow Plant"), this, &PlantWorkspace::grow);
+  QMenu* fresh = menu.addMenu(icon("plant"), tr("New Plant"));
+  fresh->setObjectName("plant.new");
+  fillNewMenu(*fresh);
+  menu.addSeparator();
+  menu.addActions(tools());
   menu.addSeparator();
   menu.addAction(transport_->playAction());
   menu.addAction(transport_->stepAction());
@@ -161,6 +214,9 @@ std::optional<model::Project> PlantWorkspace::alone() const {
   alone.scene.leaves = project.scene.leaves;
   alone.scene.leaves.season = kCalmSeason;
   alone.scene.leaves.spawnHeight = 0;
+  // A grower's plant is shown in full leaf, whatever the scene can afford.
+  if (plant->file.isEmpty() && plant->grower && plant->grower->method != model::GrowMethod::Rule)
+    alone.scene.leaves.count = -1;
   alone.scene.solver = project.scene.solver;
   alone.scene.light = project.scene.light;
   alone.scene.seed = project.scene.seed;
@@ -197,15 +253,19 @@ void PlantWorkspace::follow(const model::Change& change) {
       if (change.aspect == model::Aspect::PlantEdits) {
         feed_.follow(change);
         showChosen();
+      } else if (active_ && change.aspect == model::Aspect::PlantSource) {
+        regrow_.start();
       } else if (active_) {
         feed_.follow(change);
       } else {
         outdated_ = true;
       }
       settings_->show(plant_, loaded());
+      shaping_->show();
       break;
     case model::Aspect::Assets:
       settings_->show(plant_, loaded());
+      shaping_->show();
       break;
     default:
       break;
@@ -221,6 +281,7 @@ void PlantWorkspace::choosePlant(model::AssetId plant) {
     feed_.rebuild(false);
   }
   settings_->show(plant_, loaded());
+  shaping_->show();
   viewport_->setHint(plant_ ? QString() : tr("Import a tree (FBX, glTF) or grow one."));
 }
 
@@ -233,6 +294,7 @@ void PlantWorkspace::activate() {
 
 void PlantWorkspace::deactivate() {
   active_ = false;
+  if (regrow_.isActive()) regrow_.stop(), outdated_ = true;
   controller_.pause();
 }
 
@@ -244,6 +306,7 @@ void PlantWorkspace::showPlant() {
   const model::LoadedPlant plant = loaded();
   branches_->setPlant(plant);
   settings_->show(plant_, plant);
+  shaping_->show();
   showChosen();
   if (framedPlant_ == plant_) return;
   framedPlant_ = plant_;
@@ -327,9 +390,11 @@ void PlantWorkspace::grow() {
 }
 
 /// The first plant of a project also gets a tree in the scene, so that there is something to see.
-void PlantWorkspace::addPlant(model::Plant plant) {
+void PlantWorkspace::addPlant(model::Plant plant, bool withLeaves) {
   model::Document& document = context_.document;
-  for (const model::Leaf& leaf : document.project().leaves) plant.leaves.push_back(leaf.id);
+  for (const model::Leaf& leaf : document.project().leaves) {
+    if (withLeaves) plant.leaves.push_back(leaf.id);
+  }
   document.undoStack().beginMacro(tr("Add %1").arg(plant.name));
   const model::AssetId id = document.addPlant(std::move(plant));
   if (document.project().scene.trees.empty()) {
@@ -358,7 +423,7 @@ void PlantWorkspace::restoreView(const QJsonObject& view) {
 }
 
 bool PlantWorkspace::isSettled() const {
-  return !feed_.isAssembling() && controller_.isSettled() && !viewport_->isMoving();
+  return !regrow_.isActive() && !feed_.isAssembling() && controller_.isSettled() && !viewport_->isMoving();
 }
 
 }  // namespace windfall::widgets

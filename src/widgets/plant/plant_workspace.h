@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPointer>
+#include <QTimer>
 
 #include "widgets/plant/branch_panel.h"
 #include "widgets/scene/scene_feed.h"
@@ -14,6 +15,7 @@ namespace windfall::widgets {
 class BranchAttributes;
 class MotionPlot;
 class PlantSettings;
+class PlantShaping;
 class Transport;
 
 class PlantWorkspace : public Workspace {
@@ -27,10 +29,10 @@ class PlantWorkspace : public Workspace {
   QWidget* canvas() override { return viewport_; }
   QWidget* inspector() override { return inspector_; }
   QWidget* strip() override { return strip_; }
-  QList<QAction*> tools() override { return {select_}; }
+  QList<QAction*> tools() override;
   void fillMenu(QMenu& menu) override;
   bool openFile(const QString& path) override;
-  void add() override { askForFile(); }
+  void add() override;
   void activate() override;
   void deactivate() override;
   void show(model::AssetId asset) override;
@@ -44,6 +46,9 @@ class PlantWorkspace : public Workspace {
   BranchPanel& branches() { return *branches_; }
   MotionPlot& motion() { return *motion_; }
   Viewport& viewport() { return *viewport_; }
+  PlantShaping& shaping() { return *shaping_; }
+  /// Adds a full-grown plant of a preset, with its species' own leaves.
+  void growPreset(const QString& name);
 
  private:
   /// Clicks on branches; everything else is left to the camera.
@@ -68,7 +73,8 @@ class PlantWorkspace : public Workspace {
   void setWind(double speed);
   void askForFile();
   void grow();
-  void addPlant(model::Plant plant);
+  void fillNewMenu(QMenu& menu);
+  void addPlant(model::Plant plant, bool withLeaves = true);
   std::optional<Box> bounds(bool chosenOnly) const;
 
   WorkspaceContext context_;
@@ -81,12 +87,14 @@ class PlantWorkspace : public Workspace {
   BranchPanel* branches_ = nullptr;
   BranchAttributes* attributes_ = nullptr;
   PlantSettings* settings_ = nullptr;
+  PlantShaping* shaping_ = nullptr;
   Transport* transport_ = nullptr;
   MotionPlot* motion_ = nullptr;
   QAction *select_ = nullptr, *chooseAll_ = nullptr, *chooseNone_ = nullptr;
   std::vector<std::size_t> chosen_;  ///< links
   std::optional<std::size_t> tipLink_;
   model::AssetId framedPlant_;
+  QTimer regrow_;  ///< a pause in dragging before the plant grows anew
   bool active_ = false, outdated_ = true, keepCamera_ = false;
 };
 

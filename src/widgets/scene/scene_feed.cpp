@@ -117,7 +117,7 @@ bool SceneFeed::follow(const model::Change& change) {
       if (project) controller_.setWind(project->scene.wind);
       return true;
     case model::Aspect::FallingLeaves:
-      if (project) controller_.setLeaves(project->scene.leaves);
+      if (project) controller_.setLeaves(leavesOf(*project));
       return true;
     case model::Aspect::Solver:
       if (assembly_ && project) {
@@ -178,12 +178,19 @@ void SceneFeed::passTrees(model::AssetId plant) {
   }
 }
 
+sim::LeafSettings SceneFeed::leavesOf(const model::Project& project) const {
+  sim::LeafSettings leaves = project.scene.leaves;
+  if (leaves.count < 0 && assembly_) leaves.count = assembly_->scene.sim.leaves.count;
+  return leaves;
+}
+
 void SceneFeed::passSettings(const model::Project& project) {
   const model::Scene& scene = project.scene;
   controller_.setView(sunDirection(scene.light), static_cast<float>(scene.light.strength));
   if (!assembly_) return;
   if (scene.wind != assembly_->scene.sim.wind) controller_.setWind(scene.wind);
-  if (scene.leaves != assembly_->scene.sim.leaves) controller_.setLeaves(scene.leaves);
+  if (const sim::LeafSettings leaves = leavesOf(project); leaves != assembly_->scene.sim.leaves)
+    controller_.setLeaves(leaves);
 }
 
 std::vector<mat4> SceneFeed::restPose() const {

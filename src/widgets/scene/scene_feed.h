@@ -58,6 +58,8 @@ class SceneFeed : public QObject {
   void take(std::shared_ptr<Assembly> assembly, const model::Project& project, bool restore);
   void passTrees(model::AssetId plant);
   void passSettings(const model::Project& project);
+  /// A number below 0 stands for as many as the trees have places for.
+  sim::LeafSettings leavesOf(const model::Project& project) const;
   bool movesOnly(const model::Project& project) const;
   void place(const model::Project& project);
   bool usesLeaf(model::AssetId leaf) const;
