@@ -55,6 +55,9 @@ inline model::Project richProject() {
   parameters.costs = {2, 5, 9};
   parameters.regions = {false, 0.4, true, 12};
   parameters.synthesis = {false, 512, 1000, 5, 0.1};
+  parameters.maps = {0.5, 0.9, 0.1, 1.5};
+  parameters.ageing = {0.4, 3.5, 0.9, 0.8, 0.6};
+  project.atlas = {4096, 32, 3, true, AtlasPacker::Unity};
   leaf.variants = {
       {9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2), QPointF(8, 22), QPointF(9.5, 1)},
       {7, true, QImage()}};

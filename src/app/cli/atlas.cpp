@@ -1,12 +1,9 @@
-#include <QBuffer>
-#include <QDir>
 #include <QFileInfo>
-#include <QJsonDocument>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
-#include "model/document/durable_file.h"
 #include "model/document/project_file.h"
+#include "model/export/atlas_files.h"
 #include "model/export/kept_textures.h"
 #include "model/export/leaf_folder.h"
 #include "model/leaf/atlas.h"
@@ -16,8 +13,9 @@ namespace windfall::app {
 namespace {
 
 struct AtlasOptions {
-  std::string input, output;
+  std::string input, output, packer = "plain";
   model::AtlasSettings settings;
+  bool noRotation = false, mipFiles = false;
 };
 
 Result<std::vector<model::LeafTexture>> texturesOf(const QString& path, model::Progress& progress) {
@@ -39,25 +37,17 @@ int makeAtlas(const AtlasOptions& options) {
   const QString input = text(options.input), output = text(options.output);
   Result<std::vector<model::LeafTexture>> textures = texturesOf(input, progress);
   if (!textures) return fail(input, textures.error());
-  const Result<model::Atlas> atlas = model::packAtlas(std::move(*textures), options.settings);
+  model::AtlasSettings settings = options.settings;
+  settings.rotate = !options.noRotation;
+  settings.packer = *model::packerOf(text(options.packer));
+  const Result<model::Atlas> atlas = model::packAtlas(std::move(*textures), settings);
   if (!atlas) return fail(input, atlas.error());
-  QByteArray png;
-  QBuffer buffer(&png);
-  if (!buffer.open(QIODevice::WriteOnly) || !atlas->image.save(&buffer, "PNG")) {
-    return fail(output, QStringLiteral("the PNG cannot be made"));
-  }
-  QJsonObject description = model::describe(*atlas);
-  description[QLatin1String("image")] = QStringLiteral("atlas.png");
+  const QString stem = QStringLiteral("atlas");
+  const Result<std::vector<model::NamedBytes>> files = model::atlasFiles(*atlas, settings, stem, options.mipFiles);
+  if (!files) return fail(output, files.error());
   if (progress.cancelled()) return fail(output, Error{"cancelled", true});
-  if (!QDir().mkpath(output)) return fail(output, QStringLiteral("the folder cannot be made"));
-  const QDir folder(output);
-  const std::pair<QString, QByteArray> files[] = {{"atlas.png", png},
-                                                  {"atlas.json", QJsonDocument(description).toJson()}};
-  for (const auto& [name, bytes] : files) {
-    const QString path = folder.filePath(name);
-    if (const Status written = model::writeDurably(path, bytes); !written) return fail(path, written.error());
-  }
-  return 0;
+  const Status written = model::writeTogether(output, *files, model::staleAtlasFiles(stem, *files));
+  return written ? 0 : fail(output, written.error());
 }
 
 /// CLI11 knows no powers of two.
@@ -74,13 +64,25 @@ void declareAtlas(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("atlas", "Pack leaf textures into one picture, with their places as JSON");
   auto options = std::make_shared<AtlasOptions>();
   command->add_option("PROJECT|DIR", options->input, "Project, or folder that windfall leaf wrote")->required();
-  command->add_option("-o,--output", options->output, "Folder for atlas.png and atlas.json")->required();
+  command->add_option("-o,--output", options->output, "Folder for atlas.png, its maps and atlas.json")->required();
   command->add_option("--size", options->settings.size, "Side of the atlas, px: a power of two")
       ->check(CLI::Validator(wrongSize, "POWER OF TWO"))
       ->capture_default_str();
-  command->add_option("--padding", options->settings.padding, "Between leaves, px")
-      ->check(CLI::Range(0, 512))
+  command->add_option("--padding", options->settings.padding, "Between leaves at least, px")
+      ->check(CLI::Range(0, 2048))
       ->capture_default_str();
+  command
+      ->add_option("--mips", options->settings.mipLevels,
+                   "Mip levels that must stay free of neighbours: 8 px between leaves, doubled for each")
+      ->check(CLI::Range(0, 12))
+      ->capture_default_str();
+  command
+      ->add_option("--packer", options->packer,
+                   "Maps for whom: plain (a file each), gltf, unity or unreal (channels packed their way)")
+      ->check(CLI::IsMember({"plain", "gltf", "unity", "unreal"}))
+      ->capture_default_str();
+  command->add_flag("--no-rotation", options->noRotation, "Leaves never lie on their side");
+  command->add_flag("--mip-files", options->mipFiles, "Also write the colour's mip levels, coverage kept");
   command->callback([options, &action] { action = [options] { return makeAtlas(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <QImageReader>
 #include <QStringList>
 #include <cmath>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
@@ -11,6 +12,7 @@
 #include "model/leaf/stages.h"
 #include "model/leaf/variant.h"
 #include "model/leaf/vein_tracing.h"
+#include "model/presets/preset.h"
 #include "model/progress_part.h"
 
 namespace windfall::app {
@@ -24,6 +26,10 @@ struct LeafOptions {
   int variants = 2;
   int size = 1024;
   std::uint64_t seed = 1;
+  std::string preset;
+  std::optional<double> age, redness, relief, gloss;
+  double temperature = model::AgeingParameters().temperature, wetness = model::AgeingParameters().wetness;
+  double bladeLength = 100 * model::Leaf().bladeLength;
 };
 
 /// What went wrong, and in which of the files.
@@ -59,6 +65,16 @@ std::vector<double> numbersOf(const std::string& value) {
   return numbers;
 }
 
+/// A preset by its name, the artist's own before a built-in one, or by its file.
+Result<model::Preset> presetOf(const QString& nameOrFile) {
+  if (nameOrFile.endsWith(QLatin1String(".json"))) return model::readPreset(nameOrFile);
+  const model::PresetLibrary library;
+  if (const auto found = library.find(QStringLiteral("leaf"), nameOrFile)) return *found;
+  QStringList names;
+  for (const model::Preset& preset : library.of(QStringLiteral("leaf"))) names << preset.name;
+  return Error{("is no leaf preset; there are " + names.join(QStringLiteral(", "))).toStdString()};
+}
+
 /// The leaf asset that the options describe; `failure` says why there is none.
 bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failure) {
   const QString photo = text(options.photo);
@@ -70,6 +86,21 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   if (!source) return fails(photo, source.error());
   leaf.photo = std::move(*source);
   leaf.name = QFileInfo(photo).completeBaseName();
+  leaf.bladeLength = options.bladeLength / 100;
+  if (!options.preset.empty()) {
+    const Result<model::Preset> preset = presetOf(text(options.preset));
+    if (!preset) return fails(text(options.preset), preset.error());
+    if (const Status applied = model::applyPreset(*preset, leaf.parameters); !applied) {
+      return fails(text(options.preset), applied.error());
+    }
+  }
+  const auto given = [](const std::optional<double>& from, double& to) { to = from.value_or(to); };
+  given(options.age, leaf.parameters.ageing.age);
+  given(options.redness, leaf.parameters.ageing.redness);
+  given(options.relief, leaf.parameters.maps.relief);
+  given(options.gloss, leaf.parameters.maps.gloss);
+  leaf.parameters.ageing.temperature = options.temperature;
+  leaf.parameters.ageing.wetness = options.wetness;
   leaf.parameters.synthesis.size = options.size;
   leaf.parameters.synthesis.guided = options.mode == "guided";
   leaf.parameters.veins.seed = options.seed;
@@ -164,6 +195,7 @@ int makeLeaf(const LeafOptions& options) {
   model::LeafFolder folder;
   folder.stages = &*stages;
   folder.bladeLength = stages->bladeLength;
+  folder.parameters = leaf.parameters;
   for (int i = 0; i < options.variants; ++i) {
     QElapsedTimer timer;
     timer.start();
@@ -215,6 +247,19 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_option("--size", options->size, "Long side of the textures, px")
       ->check(CLI::Range(64, 4096))
       ->capture_default_str();
+  command->add_option("--preset", options->preset, "Species: a leaf preset's name, or its file");
+  command->add_option("--blade-length", options->bladeLength, "From root to tip in the real world, cm")
+      ->check(CLI::Range(0.1, 500.0))
+      ->capture_default_str();
+  command->add_option("--relief", options->relief, "Strength of the normal map; 1 as measured, glossy leaves 0.5")
+      ->check(CLI::Range(0.0, 10.0));
+  command->add_option("--gloss", options->gloss, "0 dull .. 1 waxy: roughness")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--age", options->age, "0 as photographed .. 1 brown and dry")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--temperature", options->temperature, "Of the autumn's days, degrees Celsius")
+      ->check(CLI::Range(-30.0, 40.0))
+      ->capture_default_str();
+  command->add_option("--wetness", options->wetness, "0 dry air .. 1 rain")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  command->add_option("--redness", options->redness, "0 turns yellow .. 1 turns red")->check(CLI::Range(0.0, 1.0));
   command->add_option("--seed", options->seed, "Seed of veins and textures")->capture_default_str();
   command->callback([options, &action] { action = [options] { return makeLeaf(*options); }; });
 }

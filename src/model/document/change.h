@@ -18,6 +18,7 @@ enum class Aspect {
   LeafParameters,
   LeafExamples,  ///< who lends colours, and which region to which
   LeafVariants,
+  Atlas,  ///< how leaves are packed
   PlantSource,
   PlantEdits,
   PlantClips,

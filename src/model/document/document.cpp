@@ -175,4 +175,8 @@ void Document::setSimulation(const SimulationState& state) {
   emit changed({{}, Aspect::Simulation, {}});
 }
 
+void Document::setAtlas(const AtlasSettings& settings, const QString& text, const QString& merge) {
+  setProperty<Project, AtlasSettings>({}, &Project::atlas, settings, Aspect::Atlas, text, merge);
+}
+
 }  // namespace windfall::model

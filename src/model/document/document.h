@@ -49,6 +49,8 @@ class Document : public QObject {
   template <class T>
   void setScene(T Scene::*member, T value, Aspect aspect, const QString& text, const QString& merge = {});
 
+  void setAtlas(const AtlasSettings& settings, const QString& text, const QString& merge = {});
+
   /// A brush stroke: `after` becomes the leaf's mask. Only 64 px tiles that differ are kept, searched inside `dirty`
   /// (empty: everywhere); the first stroke on an automatic mask keeps the whole picture.
   void paintMask(AssetId leaf, const QImage& after, QRect dirty, const QString& text);

@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <vector>
 
+#include "model/leaf/atlas_settings.h"
 #include "model/leaf/leaf.h"
 #include "model/plant/plant.h"
 #include "model/scene/scene.h"
@@ -40,6 +41,7 @@ struct Project {
   std::vector<Leaf> leaves;
   std::vector<Plant> plants;
   Scene scene;
+  AtlasSettings atlas;
   SimulationState simulation;
   ViewState view;
   quint64 nextId = 1;

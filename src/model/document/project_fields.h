@@ -85,6 +85,41 @@ void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
 }
 
 template <class Io>
+void fields(Io& io, typename Io::template Ref<MapParameters> maps) {
+  io.number("relief", maps.relief, 0, 100);
+  io.number("gloss", maps.gloss, 0, 1);
+  io.number("detail", maps.detail, 0, 100);
+  io.number("thickness", maps.thickness, 0, 100);
+}
+
+template <class Io>
+void fields(Io& io, typename Io::template Ref<AgeingParameters> ageing) {
+  io.number("age", ageing.age, 0, 1);
+  io.number("temperature", ageing.temperature, -100, 100);
+  io.number("wetness", ageing.wetness, 0, 1);
+  io.number("redness", ageing.redness, 0, 1);
+  io.number("warmth", ageing.warmth, 0, 1);
+}
+
+/// `packer` is kept by name.
+template <class Io>
+void fields(Io& io, typename Io::template Ref<AtlasSettings> atlas) {
+  io.number("size", atlas.size, 64, 16384);
+  io.number("padding", atlas.padding, 0, 2048);
+  io.number("mipLevels", atlas.mipLevels, 0, 12);
+  io.flag("rotate", atlas.rotate);
+  QString packer = nameOf(atlas.packer);
+  io.text("packer", packer);
+  if constexpr (std::is_same_v<Io, FieldReader>) {
+    if (const auto known = packerOf(packer)) {
+      atlas.packer = *known;
+    } else if (!io.failed()) {
+      io.fail(io.inside("packer"), QStringLiteral("is none that Windfall knows"));
+    }
+  }
+}
+
+template <class Io>
 void fields(Io& io, typename Io::template Ref<LeafParameters> parameters) {
   io.object("mask", parameters.mask);
   io.number("epsilon", parameters.epsilon, 0, 1e5);
@@ -93,6 +128,8 @@ void fields(Io& io, typename Io::template Ref<LeafParameters> parameters) {
   io.object("costs", parameters.costs);
   io.object("regions", parameters.regions);
   io.object("synthesis", parameters.synthesis);
+  io.object("maps", parameters.maps);
+  io.object("ageing", parameters.ageing);
 }
 
 template <class Io>

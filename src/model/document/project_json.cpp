@@ -75,6 +75,8 @@ Result<std::vector<ArchiveEntry>> toEntries(const Project& project) {
   // Their list has the domain's name, so that a place reads "leaves[2]".
   document[QStringLiteral("leaves")] =
       writeDomain(context, "", [&](FieldWriter& io) { io.list("leaves", project.leaves, kMostAssets); });
+  document[QStringLiteral("atlas")] =
+      writeDomain(context, "atlas", [&](FieldWriter& io) { fields(io, project.atlas); });
   document[QStringLiteral("plants")] =
       writeDomain(context, "", [&](FieldWriter& io) { io.list("plants", project.plants, kMostAssets); });
   document[QStringLiteral("scene")] =
@@ -108,6 +110,7 @@ Result<Project> fromJson(const QByteArray& json,
   root.id("nextId", next);
   project.nextId = next.value;
   readDomain(context, document, "leaves", {}, [&](FieldReader& io) { io.list("leaves", project.leaves, kMostAssets); });
+  readDomain(context, document, "atlas", QStringLiteral("atlas"), [&](FieldReader& io) { fields(io, project.atlas); });
   readDomain(context, document, "plants", {}, [&](FieldReader& io) { io.list("plants", project.plants, kMostAssets); });
   readDomain(context, document, "scene", QStringLiteral("scene"), [&](FieldReader& io) { fields(io, project.scene); });
   readDomain(context, document, "simulation", QStringLiteral("simulation"),

@@ -19,6 +19,8 @@ Owner* findOwner(Project& project, AssetId id) {
     return project.plant(id);
   } else if constexpr (std::same_as<Owner, TreePlacement>) {
     return project.tree(id);
+  } else if constexpr (std::same_as<Owner, Project>) {
+    return &project;
   } else {
     static_assert(std::same_as<Owner, Scene>);
     return &project.scene;

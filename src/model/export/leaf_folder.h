@@ -18,14 +18,16 @@ struct LeafFolder {
   std::vector<quint64> seeds;          ///< of the variants
   std::vector<QImage> variants;
   std::vector<double> variantSeconds;
+  LeafParameters parameters;  ///< how maps are made and textures aged
 };
 
 /// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png,
-/// variant_000.png and on, timings.json, and look_*.jpg, the stages laid over the photo. All is made in a folder beside
+/// variant_000.png and on, each with its maps (variant_000_normal.png, …) and meshes (variant_000_mesh.json),
+/// timings.json, and look_*.jpg, the stages laid over the photo. All is made in a folder beside
 /// `path` and put in place when it is whole; variants of an earlier run go. `path` is made where it is missing.
 Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& progress);
 
-/// The variants of such a folder, turned upright.
+/// The variants of such a folder, turned upright, with maps and meshes.
 Result<std::vector<LeafTexture>> readLeafFolder(const QString& path);
 
 }  // namespace windfall::model

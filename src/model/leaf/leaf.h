@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "model/ids.h"
+#include "model/leaf/ageing.h"
+#include "model/leaf/maps.h"
 #include "model/leaf/vein.h"
 #include "model/source_file.h"
 
@@ -86,6 +88,8 @@ struct LeafParameters {
   DistanceCosts costs;
   RegionParameters regions;
   SynthesisParameters synthesis;
+  MapParameters maps;
+  AgeingParameters ageing;
   bool operator==(const LeafParameters&) const = default;
 };
 

@@ -41,7 +41,8 @@ QPointF petioleEnd(const cv::Mat1b& alpha, QPointF root, double bladeLength) {
 
 }  // namespace
 
-LeafTexture uprightTexture(const QString& name, const QImage& variant, QPointF root, QPointF tip, double bladeLength) {
+LeafTexture uprightTexture(const QString& name, const QImage& variant, QPointF root, QPointF tip, double bladeLength,
+                           const Veins& veins) {
   LeafTexture texture;
   texture.name = name;
   if (variant.isNull()) return texture;
@@ -72,6 +73,12 @@ LeafTexture uprightTexture(const QString& name, const QImage& variant, QPointF r
   rotated(inside).copyTo(cropped(cv::Rect(inside.x - box.x, inside.y - box.y, inside.width, inside.height)));
   texture.image = spreadColours(fromLinear(cropped));
   texture.pivot = QPointF((end.x() + 0.5) / box.width, (end.y() + 0.5) / box.height);
+  texture.toTexture = toTurned * QTransform::fromTranslate(-box.x, -box.y);
+  texture.root = texture.toTexture.map(root);
+  texture.veins = veins;
+  for (Vein& vein : texture.veins) {
+    for (QPointF& p : vein.points) p = texture.toTexture.map(p);
+  }
   texture.metres = QSizeF(box.width, box.height) * (bladeLength / axis.length());
   return texture;
 }

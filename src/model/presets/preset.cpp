@@ -39,7 +39,7 @@ Preset make(const QString& name, const QString& domain, const Settings& settings
 }  // namespace
 
 Status applyPreset(const Preset& preset, sim::WindSettings& wind) { return apply(preset, kWind, wind); }
-Status applyPreset(const Preset& preset, VeinParameters& veins) { return apply(preset, kLeaf, veins); }
+Status applyPreset(const Preset& preset, LeafParameters& leaf) { return apply(preset, kLeaf, leaf); }
 Status applyPreset(const Preset& preset, GrowerSettings& grower) { return apply(preset, kGrower, grower); }
 
 Preset makePreset(const QString& name, const sim::WindSettings& wind) {
@@ -50,7 +50,17 @@ Preset makePreset(const QString& name, const sim::WindSettings& wind) {
   }
   return preset;
 }
-Preset makePreset(const QString& name, const VeinParameters& veins) { return make(name, kLeaf, veins); }
+Preset makePreset(const QString& name, const LeafParameters& leaf) {
+  Preset preset = make(name, kLeaf, leaf);
+  QJsonObject veins = preset.values[QStringLiteral("veins")].toObject();
+  veins.remove(QStringLiteral("seed"));
+  preset.values[QStringLiteral("veins")] = veins;
+  // How old the textures are belongs to a leaf, not to a species.
+  QJsonObject ageing = preset.values[QStringLiteral("ageing")].toObject();
+  ageing.remove(QStringLiteral("age"));
+  preset.values[QStringLiteral("ageing")] = ageing;
+  return preset;
+}
 Preset makePreset(const QString& name, const GrowerSettings& grower) { return make(name, kGrower, grower); }
 
 QByteArray presetToJson(const Preset& preset) {
@@ -73,10 +83,10 @@ Result<Preset> presetFromJson(const QByteArray& json) {
   if (preset.name.isEmpty() || preset.name.size() > kLongestName) return Error{"name: is missing or too long"};
   // Tried on defaults, so that a preset that is in the list can be applied.
   sim::WindSettings wind;
-  VeinParameters veins;
+  LeafParameters leaf;
   GrowerSettings grower;
   const Status good = preset.domain == kWind     ? applyPreset(preset, wind)
-                      : preset.domain == kLeaf   ? applyPreset(preset, veins)
+                      : preset.domain == kLeaf   ? applyPreset(preset, leaf)
                       : preset.domain == kGrower ? applyPreset(preset, grower)
                                                  : Status(Error{"domain: is none that Windfall knows"});
   if (!good)

@@ -13,8 +13,8 @@
 
 namespace windfall::model {
 
-/// `domain`: "wind", "leaf" (vein growth) or "grower". Values are the fields of that domain as in project.json; what is
-/// absent stays as it is when the preset is applied.
+/// `domain`: "wind", "leaf" (a species: contour, veins, synthesis, maps, ageing) or "grower". Values are the fields of
+/// that domain as in project.json; what is absent stays as it is when the preset is applied.
 struct Preset {
   QString domain;
   QString name;
@@ -25,17 +25,19 @@ struct Preset {
 
 /// Sets the fields that the preset has. "speed: is 999, expected 0 to 200" for nonsense; then nothing changes.
 Status applyPreset(const Preset& preset, sim::WindSettings& wind);
-Status applyPreset(const Preset& preset, VeinParameters& veins);
+Status applyPreset(const Preset& preset, LeafParameters& leaf);
 Status applyPreset(const Preset& preset, GrowerSettings& grower);
 
 /// Takes all fields but the seed: two artists' presets should not make the same tree.
 Preset makePreset(const QString& name, const sim::WindSettings& wind);
-Preset makePreset(const QString& name, const VeinParameters& veins);
+Preset makePreset(const QString& name, const LeafParameters& leaf);
 Preset makePreset(const QString& name, const GrowerSettings& grower);
 
 /// One preset as JSON text, and back.
 QByteArray presetToJson(const Preset& preset);
 Result<Preset> presetFromJson(const QByteArray& json);
+/// One that somebody shared. Errors without the file's name.
+Result<Preset> readPreset(const QString& path);
 
 /// The built-in ones, then those of a folder (one .json file each).
 class PresetLibrary {
@@ -50,6 +52,8 @@ class PresetLibrary {
 
   /// Writes it into the folder, over the artist's own one of the same name.
   Status save(Preset preset);
+  /// Takes one that somebody shared; it must be of `domain`. The preset, as it is kept now.
+  Result<Preset> import(const QString& path, const QString& domain);
   /// Built-in ones can't be removed.
   Status remove(const QString& domain, const QString& name);
 

@@ -16,13 +16,6 @@ namespace {
 
 constexpr qint64 kLargestFile = 1 << 20;
 
-Result<Preset> readPreset(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return Error{file.errorString().toStdString()};
-  if (file.size() > kLargestFile) return Error{"is too large for a preset"};
-  return presetFromJson(file.readAll());
-}
-
 /// A file name for any name: its plain characters, and a hash that keeps "a/b" and "a:b" apart.
 QString fileName(const Preset& preset) {
   QString plain;
@@ -32,6 +25,13 @@ QString fileName(const Preset& preset) {
 }
 
 }  // namespace
+
+Result<Preset> readPreset(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return Error{file.errorString().toStdString()};
+  if (file.size() > kLargestFile) return Error{"is too large for a preset"};
+  return presetFromJson(file.readAll());
+}
 
 PresetLibrary::PresetLibrary(const QString& folder)
     : folder_(!folder.isEmpty()
@@ -79,6 +79,16 @@ Status PresetLibrary::save(Preset preset) {
   std::erase_if(presets_, [&](const Preset& other) { return other.file == preset.file; });
   presets_.push_back(std::move(preset));
   return ok();
+}
+
+Result<Preset> PresetLibrary::import(const QString& path, const QString& domain) {
+  const Result<Preset> preset = readPreset(path);
+  if (!preset) return preset.error();
+  if (preset->domain != domain) {
+    return Error{QStringLiteral("is a preset of “%1”, not of “%2”").arg(preset->domain, domain).toStdString()};
+  }
+  if (const Status saved = save(*preset); !saved) return saved.error();
+  return *find(domain, preset->name);
 }
 
 Status PresetLibrary::remove(const QString& domain, const QString& name) {

@@ -15,7 +15,10 @@ LeafTexture standIn() {
   const PaintedPhoto painted = paintLeafPhoto({}, 1, kSize);
   QImage image = painted.photo.convertToFormat(QImage::Format_RGBA8888);
   image.setAlphaChannel(painted.mask);
-  return uprightTexture(QStringLiteral("stand-in"), image, painted.root, painted.tip, kBlade);
+  LeafTexture texture = uprightTexture(QStringLiteral("stand-in"), image, painted.root, painted.tip, kBlade);
+  // Painted leaves always have something opaque.
+  static_cast<void>(dressTexture(texture, {}, 1));
+  return texture;
 }
 
 }  // namespace

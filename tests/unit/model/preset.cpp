@@ -19,6 +19,8 @@ class PresetTest : public QObject {
   void ownPresetsAreKeptAndGoFirst();
   void nonsenseIsRefusedAndChangesNothing();
   void damagedFilesAreNamedAndLeftOut();
+  void speciesDiffer();
+  void sharedFilesAreImportedOrRefusedInOneLine();
 };
 
 void PresetTest::builtInOnesAreThereAndSound() {
@@ -31,7 +33,7 @@ void PresetTest::builtInOnesAreThereAndSound() {
   }
   QCOMPARE(names, (QStringList{"wind/Calm", "wind/Light breeze", "wind/Gentle breeze", "wind/Moderate breeze",
                                "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale", "wind/Gale",
-                               "wind/Strong gale", "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch",
+                               "wind/Strong gale", "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch", "leaf/Maple", "leaf/Ginkgo", "leaf/Beech",
                                "grower/Young tree", "grower/Broad tree", "grower/Slender tree"}));
 }
 
@@ -47,9 +49,16 @@ void PresetTest::applyingChangesOnlyWhatThePresetNames() {
   QCOMPARE(wind.seed, quint64(77));
   QCOMPARE(wind.until, 10.f);
   QVERIFY((wind.direction == sim::WindSettings{{}, {0, 0, 1}}.direction));
-  VeinParameters veins;
-  QVERIFY(applyPreset(*library.find("leaf", "Oak"), veins));
-  QCOMPARE(veins.laterals, 5);
+  LeafParameters leaf;
+  leaf.veins.seed = 9;
+  leaf.synthesis.size = 333;
+  leaf.ageing.age = 0.7;
+  QVERIFY(applyPreset(*library.find("leaf", "Oak"), leaf));
+  QCOMPARE(leaf.veins.laterals, 5);
+  QCOMPARE(leaf.veins.seed, quint64(9));
+  QCOMPARE(leaf.synthesis.size, 333);
+  QCOMPARE(leaf.ageing.age, 0.7);
+  QCOMPARE(leaf.ageing.warmth, 0.75);
   GrowerSettings grower;
   QVERIFY(applyPreset(*library.find("grower", "Slender tree"), grower));
   QCOMPARE(grower.height, 12.0);
@@ -118,6 +127,56 @@ void PresetTest::damagedFilesAreNamedAndLeftOut() {
   QCOMPARE(library.problems().size(), size_t(2));
   QCOMPARE(library.problems()[0], folder.filePath("bad.json") + ": values.speed: is 999, expected 0 to 200");
   QCOMPARE(library.of("wind").size(), size_t(10));
+}
+
+void PresetTest::speciesDiffer() {
+  QTemporaryDir folder;
+  const PresetLibrary library(folder.path());
+  std::vector<LeafParameters> species;
+  for (const QString name : {"Oak", "Maple", "Birch", "Ginkgo", "Beech"}) {
+    QVERIFY2(library.find("leaf", name), qPrintable(name));
+    LeafParameters leaf;
+    QVERIFY(applyPreset(*library.find("leaf", name), leaf));
+    for (const LeafParameters& other : species) QVERIFY(!(other == leaf));
+    species.push_back(leaf);
+  }
+}
+
+void PresetTest::sharedFilesAreImportedOrRefusedInOneLine() {
+  QTemporaryDir folder;
+  PresetLibrary library(folder.filePath("own"));
+  LeafParameters leaf;
+  leaf.epsilon = 3.5;
+  leaf.veins = {77, 3, 40, 30, 5};
+  leaf.maps.gloss = 0.9;
+  leaf.ageing = {0.8, 4, 0.2, 0.6, 0.9};
+  const QString shared = folder.filePath("linden.json");
+  QVERIFY(writeDurably(shared, presetToJson(makePreset("Linden", leaf))));
+  const Result<Preset> taken = library.import(shared, "leaf");
+  QVERIFY(taken);
+  QVERIFY(!taken->file.isEmpty());
+  LeafParameters read;
+  QVERIFY(applyPreset(*PresetLibrary(folder.filePath("own")).find("leaf", "Linden"), read));
+  // All but what belongs to one leaf: its seed, and how old it is.
+  LeafParameters expected = leaf;
+  expected.veins.seed = read.veins.seed;
+  expected.ageing.age = 0;
+  QVERIFY(read == expected);
+
+  const auto refused = [&](const QByteArray& text, const char* why) {
+    const QString path = folder.filePath("bad.json");
+    if (!writeDurably(path, text)) return false;
+    const Result<Preset> result = library.import(path, "leaf");
+    return !result && QString::fromStdString(result.error().message) == QLatin1String(why);
+  };
+  QVERIFY(refused("hello", "illegal value"));
+  QVERIFY(refused(R"({"version": 1, "domain": "wind", "name": "x", "values": {}})",
+                  "is a preset of “wind”, not of “leaf”"));
+  QVERIFY(refused(R"({"version": 1, "domain": "leaf", "name": "x", "values": {"veins": {"laterals": -4}}})",
+                  "values.veins.laterals: is -4, expected 0 to 1000"));
+  QVERIFY(refused(R"({"version": 7, "domain": "leaf", "name": "x", "values": {}})", "version: is not 1"));
+  QVERIFY(!library.import(folder.filePath("none.json"), "leaf"));
+  QCOMPARE(library.of("leaf").size(), size_t(7));
 }
 
 WINDFALL_SUITE(PresetTest)

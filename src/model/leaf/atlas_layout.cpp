@@ -1,0 +1,74 @@
+#include <QRect>
+#include <algorithm>
+#include <cmath>
+
+#include "model/leaf/atlas_layout_private.h"
+#include "model/leaf/rect_packing.h"
+
+namespace windfall::model {
+
+namespace {
+
+QSize scaled(QSize size, double scale, bool turned) {
+  const QSize result(std::max(1, static_cast<int>(std::floor(size.width() * scale))),
+                     std::max(1, static_cast<int>(std::floor(size.height() * scale))));
+  return turned ? result.transposed() : result;
+}
+
+std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::vector<bool>& turned,
+                                    const AtlasSettings& settings) {
+  const int gap = settings.gap();
+  const auto placesAt = [&](double scale) -> std::optional<std::vector<QPoint>> {
+    std::vector<QSize> padded;
+    for (size_t i = 0; i < sizes.size(); ++i) padded.push_back(scaled(sizes[i], scale, turned[i]) + QSize(gap, gap));
+    return packRectangles(padded, settings.size);
+  };
+  // By bisection; packing is not monotone, so the best seen is kept.
+  double scale = 1;
+  std::optional<std::vector<QPoint>> corners = placesAt(scale);
+  if (!corners) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 14; ++i) {
+      const double middle = (low + high) / 2;
+      if (auto found = placesAt(middle)) {
+        low = scale = middle;
+        corners = std::move(found);
+      } else {
+        high = middle;
+      }
+    }
+  }
+  if (!corners) return std::nullopt;
+  AtlasLayout layout{scale, {}, turned};
+  for (size_t i = 0; i < sizes.size(); ++i) {
+    layout.places.emplace_back(corners->at(i) + QPoint(gap / 2, gap / 2), scaled(sizes[i], scale, turned[i]));
+  }
+  return layout;
+}
+
+}  // namespace
+
+std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSettings& settings) {
+  const auto all = [&](auto rule) {
+    std::vector<bool> turned;
+    for (const QSize& size : sizes) turned.push_back(rule(size));
+    return turned;
+  };
+  std::optional<AtlasLayout> best = layOutAs(sizes, all([](const QSize&) { return false; }), settings);
+  if (!settings.rotate || (best && best->scale >= 1)) return best;
+  const auto largest = std::max_element(sizes.begin(), sizes.end(), [](const QSize& a, const QSize& b) {
+    return std::max(a.width(), a.height()) < std::max(b.width(), b.height());
+  });
+  // Every second one turned lets leaves of one shape lie head to foot.
+  size_t number = 0;
+  for (const std::vector<bool>& turned :
+       {all([](const QSize& s) { return s.width() > s.height(); }), all([](const QSize& s) { return s.height() > s.width(); }),
+        all([&](const QSize& s) { return (s.width() > s.height()) != (largest->width() > largest->height()); }),
+        all([&](const QSize&) { return number++ % 2 == 1; })}) {
+    std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings);
+    if (other && (!best || other->scale > best->scale * 1.001)) best = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace windfall::model
