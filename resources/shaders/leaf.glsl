@@ -1,38 +1,67 @@
-// A leaf's shape: a small grid, bent along the midrib and folded across it, placed by its instance.
-layout(location = 0) in vec2 grid;           // x -1..1 across, y 0..1 up the picture
-layout(location = 1) in vec4 placeAndSize;   // petiole's end, blade length in m
-layout(location = 2) in vec4 rotation;       // unit quaternion x, y, z, w
-layout(location = 3) in uvec2 layerAndState;
-layout(location = 4) in vec2 curlAndTint;
-layout(std430, binding = 2) readonly buffer Layers { vec4 layers[]; };  // pivot in shares of the picture, extent in blades
-
-const uint kHidden = 4u;
+// A leaf's shape: its own mesh, bent along the midrib and folded across it, placed by its instance; and its age.
+#include "leaf_layers.glsl"
+layout(location = 0) in vec2 place;      // leaf lengths from the petiole's end
+layout(location = 1) in vec2 ribAndLevel;
+layout(location = 2) in vec2 corner;     // shares of the picture
+layout(location = 3) in uint leafIndex;
+layout(location = 1) uniform float season;
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
+uint leafBits(uint value) {
+  uint state = value * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
 struct LeafPoint {
-  vec3 position, normal;
-  vec2 uv;
+  vec3 position, normal, tangent;
+  vec3 age;  // fading, reddening, browning
+  float tint;
+  uint layer, state;
 };
 
+// Model's ageOfRank: the leaf's place among all by how early it turns.
+vec3 ageOf(uint layer, LeafInstance leaf) {
+  float at = clamp(season, 0.0, 1.0) * 16.0;
+  uint low = uint(min(at, 15.0));
+  vec4 shares = mix(layers[layer].seasons[low], layers[layer].seasons[low + 1u], at - float(low));
+  float rank = float(leafBits(leafIndex) >> 8u) / 16777216.0;
+  // What has come off is what had turned.
+  if (leaf.layerAndState.y != kAttached) rank = mix(rank, 1.0, 0.35);
+  vec3 limit = vec3(shares.x, shares.x + shares.y, shares.x + shares.y + shares.z);
+  vec3 t = clamp((rank - limit) / max(vec3(1e-6), vec3(0.35, 0.35, 0.6) * (1.0 - limit)), 0.0, 1.0);
+  t = t * t * (3.0 - 2.0 * t);
+  if (shares.z + shares.w < 1e-6) t.y = 0.0;
+  return t;
+}
+
+// Model's bendOf and bend (leaf_bend.cpp).
 LeafPoint leafPoint() {
-  uint layer = min(layerAndState.x, uint(layers.length()) - 1u);
-  vec2 pivot = layers[layer].xy, extent = layers[layer].zw;
-  float curl = clamp(curlAndTint.x, 0.0, 1.0);
-  vec2 uv = vec2(grid.x * 0.5 + 0.5, 1.0 - grid.y);
-  float x = (uv.x - pivot.x) * extent.x, y = (pivot.y - uv.y) * extent.y;
-  // Fresh leaves droop towards the tip, dry ones curl up; no two alike (leaf_textures.md, 10).
-  float curvature = mix(-0.45, 2.3, curl) * (1.0 + 0.5 * curlAndTint.y) + 0.02;
-  float fold = (0.22 + 0.85 * curl) * (1.0 - 0.25 * curlAndTint.y);
-  float angle = curvature * y;
-  vec3 rib = vec3(0.0, sin(angle), 1.0 - cos(angle)) / curvature;
-  vec3 ribNormal = vec3(0.0, -sin(angle), cos(angle));
-  float tilt = fold * clamp(x / (0.5 * extent.x + 1e-4), -1.0, 1.0);
-  vec3 local = rib + vec3(x * cos(fold), 0.0, 0.0) + ribNormal * abs(x) * sin(fold);
-  vec3 localNormal = ribNormal * cos(tilt) - vec3(sin(tilt), 0.0, 0.0);
+  LeafInstance leaf = leaves[leafIndex];
   LeafPoint point;
-  point.position = placeAndSize.xyz + turned(rotation, local * placeAndSize.w);
-  point.normal = turned(rotation, localNormal);
-  point.uv = uv;
+  point.layer = min(leaf.layerAndState.x, uint(layers.length()) - 1u);
+  point.state = leaf.layerAndState.y;
+  point.tint = leaf.curlAndTint.y;
+  point.age = ageOf(point.layer, leaf);
+  vec4 shape = layers[point.layer].shape;
+  float aged = (0.15 * point.age.x + 0.85 * point.age.z) * (1.25 - 0.6 * shape.w);
+  float dry = clamp(max(leaf.curlAndTint.x, 0.85 * aged), 0.0, 1.0), own = point.tint;
+  float curvature = (-0.45 + 2.75 * dry) * (1.0 + 0.5 * own);
+  if (abs(curvature) < 1e-4) curvature = 1e-4;
+  float fold = (0.16 + 0.55 * dry) * (1.0 - 0.25 * own), roll = 0.10 + 0.70 * dry * (1.0 + 0.3 * own);
+  float stalk = shape.x, halfWidth = max(shape.y, 1e-3), rib = ribAndLevel.x;
+  float angle = curvature * max(0.0, place.y - stalk);
+  vec3 outwards = vec3(0.0, -sin(angle), cos(angle));
+  vec3 middle = vec3(place.x - rib, min(place.y, stalk) + sin(angle) / curvature, (1.0 - cos(angle)) / curvature);
+  float turn = max(1e-4, roll / halfWidth), side = rib < 0.0 ? -1.0 : 1.0, far = abs(rib), slope = fold + turn * far;
+  float across = (sin(slope) - sin(fold)) / turn, up = (cos(fold) - cos(slope)) / turn;
+  float outer = min(1.0, far / halfWidth);
+  float wave = (0.006 + 0.03 * dry) * outer * outer * sin(21.0 * place.y + 2.0 * side + 6.0 * own);
+  vec3 local = middle + vec3(side * across, 0.0, 0.0) + outwards * (up + wave);
+  float tilt = side * (slope - fold * max(0.0, 1.0 - far / (0.12 * halfWidth + 1e-4)));
+  point.position = leaf.placeAndSize.xyz + turned(leaf.rotation, local * leaf.placeAndSize.w);
+  point.normal = turned(leaf.rotation, outwards * cos(tilt) - vec3(sin(tilt), 0.0, 0.0));
+  point.tangent = turned(leaf.rotation, outwards * sin(tilt) + vec3(cos(tilt), 0.0, 0.0));
   return point;
 }

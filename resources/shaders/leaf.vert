@@ -3,10 +3,12 @@
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
 layout(location = 2) out vec3 layerUv;
-layout(location = 3) flat out float tint;
+layout(location = 3) flat out vec4 ageAndTint;
 layout(location = 4) out vec3 around;  // diffuse light on the upper face, and on the lower
 layout(location = 5) out vec3 behind;
 layout(location = 6) out vec4 air;
+layout(location = 7) out vec3 worldTangent;
+layout(location = 8) flat out float level;
 
 void main() {
   LeafPoint point = leafPoint();
@@ -14,11 +16,13 @@ void main() {
   float lift = grass.x * 0.75 * (1.0 - smoothstep(0.0, 0.25, point.position.y));
   worldPosition = point.position + vec3(0.0, lift, 0.0);
   worldNormal = point.normal;
-  layerUv = vec3(point.uv, float(layerAndState.x));
-  tint = curlAndTint.y;
+  worldTangent = point.tangent;
+  layerUv = vec3(corner, float(point.layer));
+  ageAndTint = vec4(point.age, point.tint);
+  level = ribAndLevel.y;
   float open = canopyOpenness(worldPosition, worldNormal);
   around = ambientLight(worldNormal) * open;
   behind = ambientLight(-worldNormal) * open;
   air = airBefore(worldPosition);
-  gl_Position = layerAndState.y == kHidden ? vec4(0.0, 0.0, -1.0, 1.0) : viewProjection * vec4(worldPosition, 1.0);
+  gl_Position = viewProjection * vec4(worldPosition, 1.0);
 }

@@ -88,6 +88,24 @@ std::array<std::array<float, 3>, 3> ageColours(const AgeingParameters& parameter
            {40 - 3 * w, 11 + 5 * w, 22 + 4 * w}}};
 }
 
+namespace {
+
+/// The target colours for a leaf of this mean: one that is not green any more keeps its own yellow and red.
+std::array<cv::Vec3f, 3> targetsFor(const std::array<float, 3>& mean, const AgeingParameters& parameters) {
+  const auto colours = ageColours(parameters);
+  const cv::Vec3f own(mean[0], mean[1], mean[2]);
+  const double hue = std::atan2(own[2], own[1]) * 180 / CV_PI, chroma = std::hypot(own[1], own[2]);
+  const auto green = static_cast<float>(std::max(smooth(88, 104, hue), 1 - smooth(6, 14, chroma)));
+  std::array<cv::Vec3f, 3> targets;
+  for (size_t i = 0; i < 3; ++i) {
+    const cv::Vec3f colour(colours[i][0], colours[i][1], colours[i][2]);
+    targets[i] = i < 2 ? mix(own, colour, green) : colour;
+  }
+  return targets;
+}
+
+}  // namespace
+
 std::array<float, 3> meanLab(const QImage& texture) {
   const cv::Mat3f lab = toLab(texture);
   const cv::Mat4b pixels = rgbaView(texture);
@@ -111,9 +129,7 @@ QImage agedTexture(const QImage& texture, const QImage& ageing, const LeafAge& a
   const cv::Mat4b fields = rgbaView(ageing), pixels = rgbaView(source);
   const std::array<float, 3> mean = meanLab(source);
   const cv::Vec3f own(mean[0], mean[1], mean[2]);
-  const auto colours = ageColours(parameters);
-  const auto colour = [&](size_t i) { return cv::Vec3f(colours[i][0], colours[i][1], colours[i][2]); };
-  const cv::Vec3f yellow = colour(0), red = colour(1), brown = colour(2);
+  const auto [yellow, red, brown] = targetsFor(mean, parameters);
   const float fade = running(age.fading), die = running(age.browning);
   const float redder = static_cast<float>(age.reddening * std::min(1.0, 1.6 * parameters.redness));
   for (int y = 0; y < lab.rows; ++y) {
@@ -137,21 +153,22 @@ QImage agedTexture(const QImage& texture, const QImage& ageing, const LeafAge& a
 }
 
 std::array<std::array<float, 3>, 3> ageGains(const QImage& texture, const AgeingParameters& parameters) {
-  const auto linear = [](const std::array<float, 3>& lab) {
-    const cv::Mat3f pixel(1, 1, cv::Vec3f(lab[0], lab[1], lab[2]));
+  const auto linear = [](const cv::Vec3f& lab) {
+    const cv::Mat3f pixel(1, 1, lab);
     cv::Mat3f rgb;
     cv::cvtColor(pixel, rgb, cv::COLOR_Lab2LRGB);
     return rgb(0, 0);
   };
-  const cv::Vec3f own = linear(meanLab(texture.convertToFormat(QImage::Format_RGBA8888)));
-  const auto colours = ageColours(parameters);
+  const std::array<float, 3> mean = meanLab(texture.convertToFormat(QImage::Format_RGBA8888));
+  const cv::Vec3f own = linear({mean[0], mean[1], mean[2]});
+  const auto colours = targetsFor(mean, parameters);
   std::array<std::array<float, 3>, 3> gains{};
   for (size_t i = 0; i < 3; ++i) {
     const cv::Vec3f target = linear(colours[i]);
     for (int c = 0; c < 3; ++c) {
       // Shadows of one channel must not blow up.
       gains[i][static_cast<size_t>(c)] =
-          std::clamp(std::max(0.004f, target[c]) / std::max(0.012f, own[c]), 0.05f, 12.f);
+          std::clamp(std::max(0.004f, target[c]) / std::max(0.008f, own[c]), 0.05f, 12.f);
     }
   }
   return gains;

@@ -113,8 +113,11 @@ cv::Mat1f occlusionOf(const cv::Mat1f& height, double unit) {
   return open;
 }
 
-QImage translucencyImage(const VeinFields& fields, const cv::Mat4b& pixels, double thickness) {
+QImage translucencyImage(const VeinFields& fields, const cv::Mat4b& pixels, double thickness, QImage& thinness) {
   const cv::Mat1f depth = thickness * (0.5 + 0.9 * bell(fields.mainVein, 2.5) + 0.25 * bell(fields.smallVein, 1.2));
+  cv::Mat1f bare = 0.5 * thickness - depth;
+  cv::exp(bare, bare);
+  thinness = toGray(bytes(bare));
   cv::Mat4b image(pixels.size());
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) {
@@ -142,7 +145,7 @@ LeafMaps makeMaps(const MapSource& given, const MapParameters& parameters) {
   maps.normal = normalImage(height, fields, pixels, parameters.relief, maps);
   cv::Mat1f rough = 0.55 - 0.15 * parameters.gloss + 0.15 * bell(fields.mainVein, 2.2) + 0.3 * source.dryness;
   maps.roughness = toGray(bytes(rough));
-  maps.translucency = translucencyImage(fields, pixels, parameters.thickness);
+  maps.translucency = translucencyImage(fields, pixels, parameters.thickness, maps.thinness);
   maps.occlusion = toGray(bytes(occlusionOf(height, fields.unit)));
   maps.ageing = ageingImage(fields, source.seed);
   return maps;

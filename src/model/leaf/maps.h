@@ -32,6 +32,7 @@ struct LeafMaps {
   QImage normal;        ///< RGBA8888, tangent space, OpenGL (+Y up the picture), alpha of the texture
   QImage roughness;     ///< Grayscale8
   QImage translucency;  ///< RGBA8888: colour of the light that comes through, sRGB, alpha of the texture
+  QImage thinness;      ///< Grayscale8: light that comes through, 255 as much as through bare blade
   QImage occlusion;     ///< Grayscale8, 255 open
   QImage ageing;        ///< RGBA8888: when a place loses its green, browns, and how much it reddens (ageing.h)
   double meanTilt = 0, steepTilt = 0;  ///< degrees: mean and 95th percentile of the normals' tilt on the blade

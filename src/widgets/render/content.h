@@ -1,6 +1,7 @@
 // What a scene is made of, ready to be uploaded: meshes with skins, their pictures, leaf textures.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,11 +50,48 @@ struct TreeDraw {
   std::uint32_t firstLink = 0, linkCount = 0;
 };
 
-/// A layer of the leaf texture array.
+/// A corner of a flat leaf; lengths in leaf lengths from the petiole's end.
+struct LeafCorner {
+  vec2 place{0};  ///< x to the right, y towards the tip
+  float rib = 0;  ///< x from the midrib
+  vec2 uv{0};     ///< shares of the picture, top left (0, 0)
+};
+
+struct LeafShape {
+  std::vector<LeafCorner> corners;
+  std::vector<std::uint32_t> indices;
+};
+
+/// Levels of detail of a leaf's shape, the finest first; the last is for leaves of a few pixels.
+inline constexpr std::size_t kLeafLevels = 4;
+/// Samples of a season from summer to the end of autumn.
+inline constexpr std::size_t kSeasonSamples = 17;
+
+/// A layer of the leaf texture arrays.
 struct LeafLayer {
   Picture picture;
   vec2 pivot{0.5f, 1};   ///< petiole's end in shares of the picture
-  vec2 extent{0.6f, 1};  ///< width and height of the picture, in blade lengths
+  vec2 extent{0.6f, 1};  ///< width and height of the picture, in leaf lengths
+
+  std::array<LeafShape, kLeafLevels> levels{};  ///< empty ones: a grid over the picture
+  /// Numbers, not colours: normal x and y (tangent space, +Y up), roughness, light that comes through (255: as much as
+  /// through bare blade). Empty: flat.
+  Picture surface{};
+  /// When a place loses its green (0 first), when it browns, how much it reddens, how open to light. Empty: all alike.
+  Picture ageing{};
+  std::array<vec3, 3> gains{vec3(1), vec3(1), vec3(1)};  ///< on linear colour: yellow, red, brown
+  /// Shares of leaves that are green, yellow, red, brown at the season's samples.
+  std::array<vec4, kSeasonSamples> seasons = filled(vec4(1, 0, 0, 0));
+  float redness = 0;      ///< strength of red where it is made, 0..1
+  float wetness = 0.5f;   ///< wet leaves curl less
+  float stalk = 0;        ///< share of the length that is petiole and stays straight
+  float halfWidth = 0.3f; ///< of the blade, leaf lengths
+
+  static std::array<vec4, kSeasonSamples> filled(const vec4& value) {
+    std::array<vec4, kSeasonSamples> samples;
+    samples.fill(value);
+    return samples;
+  }
 };
 
 struct SceneContent {

@@ -1,31 +1,28 @@
 #include "widgets/render/leaf_pass.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
+#include <glm/gtc/type_ptr.hpp>
 #include <tuple>
 #include <vector>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "kernels/leaf_instance.h"
-#include "widgets/render/mip_chain.h"
 #include "widgets/render/shader_program.h"
 
 namespace windfall::render {
 
 namespace {
 
-constexpr std::size_t kArrayBytes = std::size_t{256} << 20;  // of the texture array, without its mip levels
+/// As in leaf_layers.glsl.
+struct LayerData {
+  vec4 shape, gains[3], seasons[kSeasonSamples];
+};
 
-/// Side of the array's layers: the largest picture's, a power of two, within the memory.
-int layerSize(const std::vector<LeafLayer>& layers) {
-  int wanted = 1, size = 16;
-  for (const LeafLayer& layer : layers) wanted = std::max({wanted, layer.picture.width, layer.picture.height});
-  while (size < std::min(wanted, 1024)) size *= 2;
-  while (size > 64 && static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 4 * layers.size() > kArrayBytes)
-    size /= 2;
-  return size;
+LayerData dataOf(const LeafLayer& layer) {
+  LayerData data;
+  data.shape = {layer.stalk, layer.halfWidth, layer.redness, layer.wetness};
+  for (std::size_t i = 0; i < 3; ++i) data.gains[i] = vec4(glm::max(layer.gains[i], vec3(1e-3f)), 0);
+  std::copy(layer.seasons.begin(), layer.seasons.end(), data.seasons);
+  return data;
 }
 
 }  // namespace
@@ -39,119 +36,71 @@ Status LeafPass::compile() {
     if (!linked) return linked.error();
     *program = std::move(*linked);
   }
-  return ok();
-}
-
-LeafPass::Grid LeafPass::makeGrid(int columns, int rows) {
-  std::vector<vec2> points;
-  std::vector<std::uint16_t> indices;
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < columns; ++x) {
-      points.emplace_back(static_cast<float>(2 * x) / static_cast<float>(columns - 1) - 1,
-                          static_cast<float>(y) / static_cast<float>(rows - 1));
-    }
-  }
-  for (int y = 0; y + 1 < rows; ++y) {
-    for (int x = 0; x + 1 < columns; ++x) {
-      const int corner = y * columns + x;
-      for (const int index :
-           {corner, corner + 1, corner + columns, corner + 1, corner + columns + 1, corner + columns}) {
-        indices.push_back(static_cast<std::uint16_t>(index));
-      }
-    }
-  }
-  Grid grid;
-  grid.indexCount = static_cast<GLsizei>(indices.size());
-  grid.vertices = makeBuffer(static_cast<GLsizeiptr>(points.size() * sizeof(vec2)), points.data(), 0);
-  grid.indices = makeBuffer(static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint16_t)), indices.data(), 0);
-  grid.array = makeVertexArray();
-  const GLuint array = grid.array.id();
-  glVertexArrayVertexBuffer(array, 0, grid.vertices.id(), 0, sizeof(vec2));
-  glVertexArrayElementBuffer(array, grid.indices.id());
-  glVertexArrayBindingDivisor(array, 1, 1);
-  for (GLuint location = 0; location < 5; ++location) glEnableVertexArrayAttrib(array, location);
-  glVertexArrayAttribFormat(array, 0, 2, GL_FLOAT, GL_FALSE, 0);
-  glVertexArrayAttribBinding(array, 0, 0);
-  glVertexArrayAttribFormat(array, 1, 4, GL_FLOAT, GL_FALSE, offsetof(LeafInstance, position));
-  glVertexArrayAttribFormat(array, 2, 4, GL_FLOAT, GL_FALSE, offsetof(LeafInstance, rotation));
-  glVertexArrayAttribIFormat(array, 3, 2, GL_UNSIGNED_INT, offsetof(LeafInstance, layer));
-  glVertexArrayAttribFormat(array, 4, 2, GL_FLOAT, GL_FALSE, offsetof(LeafInstance, curl));
-  for (GLuint location = 1; location < 5; ++location) glVertexArrayAttribBinding(array, location, 1);
-  return grid;
+  return sort_.compile();
 }
 
 Status LeafPass::setContent(const SceneContent& content) {
   maps_.reset();
   layers_.reset();
+  layerCount_ = 0;
+  leaves_ = 0;
   if (content.leafLayers.empty()) {
     if (content.leafCount == 0) return ok();
     return Error{"leaves without a leaf texture"};
   }
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-  if (content.leafLayers.size() > static_cast<std::size_t>(most)) {
-    return Error{std::to_string(content.leafLayers.size()) + " leaf textures; this graphics device takes " +
-                 std::to_string(most)};
+  if (Status uploaded = maps_.upload(content.leafLayers); !uploaded) return uploaded;
+  meshes_.upload(content.leafLayers);
+  if (Status made = sort_.allocate(content.leafCount, meshes_.commands()); !made) {
+    maps_.reset();
+    return made;
   }
-  for (const LeafLayer& layer : content.leafLayers) {
-    const Picture& p = layer.picture;
-    if (p.width < 1 || p.height < 1 ||
-        p.rgba.size() != static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height) * 4) {
-      return Error{"a leaf texture is empty or its size is wrong"};
-    }
-  }
-  clearErrors();
-  const int size = layerSize(content.leafLayers);
-  int levelCount = 1;
-  while ((size >> levelCount) > 0) ++levelCount;
-  Texture maps = makeTexture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(maps.id(), levelCount, GL_SRGB8_ALPHA8, size, size,
-                     static_cast<GLsizei>(content.leafLayers.size()));
-  std::vector<vec4> layers;
-  for (std::size_t i = 0; i < content.leafLayers.size(); ++i) {
-    const LeafLayer& layer = content.leafLayers[i];
-    const std::vector<MipLevel> levels = mipChain(layer.picture, size, size, true);
-    for (int level = 0; level < levelCount; ++level) {
-      const MipLevel& from = levels[static_cast<std::size_t>(level)];
-      glTextureSubImage3D(maps.id(), level, 0, 0, static_cast<GLint>(i), from.width, from.height, 1, GL_RGBA,
-                          GL_UNSIGNED_BYTE, from.rgba.data());
-    }
-    layers.emplace_back(layer.pivot, layer.extent);
-  }
-  glTextureParameteri(maps.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(maps.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(maps.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  Buffer layerBuffer = makeBuffer(static_cast<GLsizeiptr>(layers.size() * sizeof(vec4)), layers.data(), 0);
-  // Few leaves may be finely bent; a million are a crowd. Shadows need the same bends, or leaves shade themselves.
-  grid_ = content.leafCount <= 20'000 ? makeGrid(3, 5) : content.leafCount <= 200'000 ? makeGrid(3, 3) : makeGrid(2, 2);
-  if (outOfMemory()) return Error{"not enough graphics memory for the leaf textures"};
-  maps_ = std::move(maps);
-  layers_ = std::move(layerBuffer);
+  std::vector<LayerData> layers;
+  for (const LeafLayer& layer : content.leafLayers) layers.push_back(dataOf(layer));
+  layers_ = makeBuffer(static_cast<GLsizeiptr>(layers.size() * sizeof(LayerData)), layers.data(), 0);
+  layerCount_ = layers.size();
   return ok();
 }
 
-int LeafPass::drawGrid(GLuint buffer, GLintptr offset, std::size_t count) const {
-  if (count == 0 || !maps_) return 0;
-  glBindVertexArray(grid_.array.id());
-  glVertexArrayVertexBuffer(grid_.array.id(), 1, buffer, offset, sizeof(LeafInstance));
+void LeafPass::sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season) {
+  leaves_ = buffer;
+  offset_ = offset;
+  season_ = season;
+  if (maps_.empty()) return;
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
-  glBindTextureUnit(3, maps_.id());
-  glDrawElementsInstanced(GL_TRIANGLES, grid_.indexCount, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(count));
-  return 1;
+  sort_.run(buffer, offset, sight);
 }
 
-int LeafPass::draw(GLuint buffer, GLintptr offset, std::size_t count, bool highQuality) const {
+int LeafPass::drawKinds(std::size_t kinds) const {
+  if (maps_.empty() || leaves_ == 0) return 0;
+  glBindVertexArray(meshes_.array());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
+  maps_.bind();
+  glUniform1f(1, season_);
+  int calls = 0;
+  for (const LeafChunk& chunk : sort_.chunks()) {
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 3, leaves_, offset_ + chunk.offset,
+                      static_cast<GLsizeiptr>(chunk.count * sizeof(LeafInstance)));
+    glVertexArrayVertexBuffer(meshes_.array(), 1, chunk.lists.id(), 0, sizeof(GLuint));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, chunk.commands.id());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(kinds * layerCount_), 0);
+    ++calls;
+  }
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  return calls;
+}
+
+int LeafPass::draw(bool highQuality) const {
   glUseProgram((highQuality ? high_ : standard_).id());
   glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-  const int calls = drawGrid(buffer, offset, count);
+  const int calls = drawKinds(kLeafLevels);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   return calls;
 }
 
-int LeafPass::drawShadow(GLuint buffer, GLintptr offset, std::size_t count, const mat4& lightMatrix) const {
+int LeafPass::drawShadow(const mat4& lightMatrix) const {
   glUseProgram(shadowProgram_.id());
   glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
-  return drawGrid(buffer, offset, count);
+  return drawKinds(kLeafKinds);
 }
 
 }  // namespace windfall::render

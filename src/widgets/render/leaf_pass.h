@@ -1,4 +1,4 @@
-// Draws all leaves in one call from a texture array.
+// Draws all leaves from their layers' meshes, level by level of detail, in one indirect call.
 #pragma once
 
 #include <cstddef>
@@ -6,30 +6,33 @@
 #include "sim/result.h"
 #include "widgets/render/content.h"
 #include "widgets/render/gl_object.h"
+#include "widgets/render/leaf_maps.h"
+#include "widgets/render/leaf_meshes.h"
+#include "widgets/render/leaf_sort.h"
 
 namespace windfall::render {
 
 class LeafPass {
  public:
   Status compile();
-  /// Uploads the layers; `leafCount` decides how fine a leaf's grid may be.
   Status setContent(const SceneContent& content);
-  /// Leaves from `buffer` at `offset` (LeafInstance); draw calls made.
-  int draw(GLuint buffer, GLintptr offset, std::size_t count, bool highQuality) const;
-  int drawShadow(GLuint buffer, GLintptr offset, std::size_t count, const mat4& lightMatrix) const;
+  /// Sorts the leaves of `buffer` at `offset` (LeafInstance) for this frame; before the draws.
+  void sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season);
+  /// Draw calls made: one, or one for each two million leaves.
+  int draw(bool highQuality) const;
+  int drawShadow(const mat4& lightMatrix) const;
 
  private:
-  struct Grid {
-    VertexArray array;
-    Buffer vertices, indices;
-    GLsizei indexCount = 0;
-  };
-  static Grid makeGrid(int columns, int rows);
-  int drawGrid(GLuint buffer, GLintptr offset, std::size_t count) const;
+  int drawKinds(std::size_t kinds) const;
 
-  Grid grid_;
-  Texture maps_;
+  LeafMeshBuffers meshes_;
+  LeafMapArrays maps_;
+  LeafSort sort_;
   Buffer layers_;
+  std::size_t layerCount_ = 0;
+  GLuint leaves_ = 0;
+  GLintptr offset_ = 0;
+  float season_ = 0;
   Program standard_, high_, shadowProgram_;
 };
 

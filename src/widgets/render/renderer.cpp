@@ -130,7 +130,7 @@ void Renderer::Impl::drawShadows(const ShadowFit& fit) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.2f, 1.f);
   counts.calls += trees.drawShadow(fit.toClip);
-  counts.calls += leaves.drawShadow(ring.leaves(), ring.leafOffset(slot), ring.leafCount(), fit.toClip);
+  counts.calls += leaves.drawShadow(fit.toClip);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -147,7 +147,7 @@ void Renderer::Impl::drawPicture(const View& view) {
   // Front to back: the ground and the sky fill only what the tree leaves open.
   if (const int slot = ring.newest(); slot >= 0) {
     counts.calls += trees.draw(high);
-    counts.leafCalls = leaves.draw(ring.leaves(), ring.leafOffset(slot), ring.leafCount(), high);
+    counts.leafCalls = leaves.draw(high);
     counts.calls += counts.leafCalls;
   }
   glBindVertexArray(empty.id());
@@ -246,6 +246,11 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   glEnable(GL_MULTISAMPLE);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   impl.bindFrame();
+  if (const int slot = impl.ring.newest(); slot >= 0) {
+    const float radians = 2 * glm::length(vec3(uniforms.up));
+    impl.leaves.sort(impl.ring.leaves(), impl.ring.leafOffset(slot),
+                     {uniforms.viewProjection, view.eye, static_cast<float>(view.height) / radians}, view.season);
+  }
   impl.drawShadows(fit);
   impl.drawPicture(view);
   impl.drawPresent(view, framebuffer);

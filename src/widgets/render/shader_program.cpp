@@ -69,12 +69,16 @@ Result<Shader> compileShader(GLenum stage, const std::string& name, const std::s
   return Error{"shader " + readable(log.c_str(), source)};
 }
 
-Result<Program> linkProgram(const std::string& vertex, const std::string& fragment,
-                            const std::vector<std::string>& defines) {
+namespace {
+
+using Stages = std::vector<std::pair<GLenum, std::string>>;
+
+Result<Program> linkStages(const Stages& stages, const std::vector<std::string>& defines) {
   Program program(glCreateProgram());
-  for (const auto& [stage, name] : {std::pair<GLenum, std::string>{GL_VERTEX_SHADER, vertex},
-                                    std::pair<GLenum, std::string>{GL_FRAGMENT_SHADER, fragment}}) {
+  std::string names;
+  for (const auto& [stage, name] : stages) {
     if (name.empty()) continue;
+    names += (names.empty() ? "" : " and ") + name;
     const std::string_view text = embeddedText(name);
     if (text.empty()) return Error{"shader " + name + " is missing"};
     Result<Shader> shader = compileShader(stage, name, std::string(text), defines);
@@ -87,8 +91,18 @@ Result<Program> linkProgram(const std::string& vertex, const std::string& fragme
   if (good == GL_TRUE) return program;
   char log[512] = {};
   glGetProgramInfoLog(program.id(), sizeof log - 1, nullptr, log);
-  return Error{"shaders " + vertex + " and " + fragment + ": " +
-               std::string(log).substr(0, std::string(log).find('\n'))};
+  return Error{"shaders " + names + ": " + std::string(log).substr(0, std::string(log).find('\n'))};
+}
+
+}  // namespace
+
+Result<Program> linkProgram(const std::string& vertex, const std::string& fragment,
+                            const std::vector<std::string>& defines) {
+  return linkStages({{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}, defines);
+}
+
+Result<Program> linkCompute(const std::string& name, const std::vector<std::string>& defines) {
+  return linkStages({{GL_COMPUTE_SHADER, name}}, defines);
 }
 
 }  // namespace windfall::render

@@ -14,6 +14,9 @@ namespace windfall::render {
 Result<Program> linkProgram(const std::string& vertex, const std::string& fragment,
                             const std::vector<std::string>& defines = {});
 
+/// Links a compute shader.
+Result<Program> linkCompute(const std::string& name, const std::vector<std::string>& defines = {});
+
 /// The same from a text of its own; `name` stands for it in errors.
 Result<Shader> compileShader(GLenum stage, const std::string& name, const std::string& text,
                              const std::vector<std::string>& defines);

@@ -20,6 +20,7 @@ struct View {
   float exposure = 0;                      ///< stops; 0 suits a clear day
   float time = 0;                          ///< s, for clouds and grass
   vec3 wind{0};                            ///< m/s, for clouds and grass
+  float season = 0;                        ///< 0 summer .. 1 end of autumn: leaves turn
   std::vector<std::uint32_t> highlighted;  ///< links of all trees, in the bone buffer's order
   Quality quality = Quality::Standard;
 };

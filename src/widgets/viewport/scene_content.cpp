@@ -50,13 +50,68 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   return mesh;
 }
 
+/// Normal, roughness and what comes through, in one picture of numbers.
+render::Picture surfaceOf(const model::LeafTexture& texture) {
+  const model::LeafMaps& maps = texture.maps;
+  if (maps.normal.isNull()) return {};
+  render::Picture picture{maps.normal.width(), maps.normal.height(), {}};
+  picture.rgba.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4);
+  for (int y = 0; y < picture.height; ++y) {
+    const uchar *normal = maps.normal.constScanLine(y), *rough = maps.roughness.constScanLine(y);
+    const uchar *through = maps.thinness.constScanLine(y);
+    for (int x = 0; x < picture.width; ++x) {
+      picture.rgba.insert(picture.rgba.end(), {normal[4 * x], normal[4 * x + 1], rough[x], through[x]});
+    }
+  }
+  return picture;
+}
+
+/// The ageing map with the occlusion in its last channel.
+render::Picture ageingOf(const model::LeafTexture& texture) {
+  if (texture.maps.ageing.isNull()) return {};
+  render::Picture picture = toPicture(texture.maps.ageing);
+  for (int y = 0; y < picture.height; ++y) {
+    const uchar* open = texture.maps.occlusion.constScanLine(y);
+    for (int x = 0; x < picture.width; ++x) {
+      picture.rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                    static_cast<std::size_t>(x)) * 4 + 3] = open[x];
+    }
+  }
+  return picture;
+}
+
+void addAgeing(const model::LeafTexture& texture, render::LeafLayer& layer) {
+  const auto gains = model::ageGains(texture.image, texture.ageing);
+  for (std::size_t i = 0; i < 3; ++i) layer.gains[i] = {gains[i][0], gains[i][1], gains[i][2]};
+  for (std::size_t i = 0; i < render::kSeasonSamples; ++i) {
+    const double season = static_cast<double>(i) / (render::kSeasonSamples - 1);
+    const model::SeasonStates states = model::statesAfter(model::seasonDays(season), texture.ageing);
+    layer.seasons[i] = vec4(states[0], states[1], states[2], states[3]);
+  }
+  layer.redness = static_cast<float>(std::min(1.0, 1.6 * texture.ageing.redness));
+  layer.wetness = static_cast<float>(texture.ageing.wetness);
+}
+
 render::LeafLayer makeLayer(const model::LeafTexture& texture) {
   const double width = std::max(texture.metres.width(), 1e-4), height = std::max(texture.metres.height(), 1e-4);
   // The petiole hangs at the pivot and the tip touches the upper border: between them lies one leaf's length.
   const double length = height * std::clamp(texture.pivot.y(), 0.1, 1.0);
-  return {toPicture(texture.image),
-          {static_cast<float>(texture.pivot.x()), static_cast<float>(texture.pivot.y())},
-          {static_cast<float>(width / length), static_cast<float>(height / length)}};
+  render::LeafLayer layer;
+  layer.picture = toPicture(texture.image);
+  layer.pivot = {static_cast<float>(texture.pivot.x()), static_cast<float>(texture.pivot.y())};
+  layer.extent = {static_cast<float>(width / length), static_cast<float>(height / length)};
+  for (std::size_t level = 0; level < layer.levels.size(); ++level) {
+    for (const model::LeafVertex& vertex : texture.meshes[level].vertices) {
+      layer.levels[level].corners.push_back({vertex.place, vertex.rib, vertex.uv});
+    }
+    layer.levels[level].indices = texture.meshes[level].indices;
+  }
+  layer.surface = surfaceOf(texture);
+  layer.ageing = ageingOf(texture);
+  layer.stalk = texture.stalk;
+  layer.halfWidth = texture.halfWidth;
+  addAgeing(texture, layer);
+  return layer;
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ render::View sceneView(const model::Camera& camera, const model::Scene& scene) {
   view.target = {camera.target.x(), camera.target.y(), camera.target.z()};
   view.fieldOfView = static_cast<float>(camera.fieldOfView * kDegrees);
   view.toSun = sunDirection(scene.light);
+  view.season = scene.leaves.season;
   view.sunStrength = static_cast<float>(scene.light.strength);
   view.wind = scene.wind.direction * scene.wind.speed;
   return view;

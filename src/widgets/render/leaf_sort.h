@@ -1,0 +1,45 @@
+// Sorts a frame's leaves by level of detail and layer on the device that draws them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/result.h"
+#include "widgets/render/gl_object.h"
+#include "widgets/render/leaf_meshes.h"
+
+namespace windfall::render {
+
+/// From where leaves are judged.
+struct LeafSight {
+  mat4 viewProjection{1};
+  vec3 eye{0};
+  float pixelsPerRadian = 1000;
+};
+
+/// A part of the leaves that one storage block can hold.
+struct LeafChunk {
+  GLintptr offset = 0;    ///< in the leaves' buffer
+  std::size_t count = 0;
+  Buffer commands, lists;
+};
+
+class LeafSort {
+ public:
+  Status compile();
+  /// Room for this many leaves; `commands` without instances.
+  Status allocate(std::size_t leafCount, const std::vector<DrawCommand>& commands);
+  /// Fills the chunks' commands and lists from the leaves in `buffer` at `offset`. The layers' block must be bound.
+  void run(GLuint buffer, GLintptr offset, const LeafSight& sight);
+  const std::vector<LeafChunk>& chunks() const { return chunks_; }
+
+ private:
+  void bind(const LeafChunk& chunk) const;
+
+  Program count_, plan_, place_;
+  std::vector<LeafChunk> chunks_;
+  Buffer fresh_, cursors_, buckets_;
+  GLsizeiptr commandBytes_ = 0, cursorBytes_ = 0;
+};
+
+}  // namespace windfall::render
