@@ -30,7 +30,7 @@ vec3 ageOf(uint layer, LeafInstance leaf) {
   // What has come off is what had turned.
   if (leaf.layerAndState.y != kAttached) rank = mix(rank, 1.0, 0.35);
   vec3 limit = vec3(shares.x, shares.x + shares.y, shares.x + shares.y + shares.z);
-  vec3 t = clamp((rank - limit) / max(vec3(1e-6), vec3(0.35, 0.35, 0.6) * (1.0 - limit)), 0.0, 1.0);
+  vec3 t = clamp((rank - limit) / vec3(0.2, 0.2, 0.3) + 1.0 - limit, 0.0, 1.0);
   t = t * t * (3.0 - 2.0 * t);
   if (shares.z + shares.w < 1e-6) t.y = 0.0;
   return t;

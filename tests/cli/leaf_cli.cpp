@@ -54,14 +54,19 @@ class LeafCliTest : public QObject {
     QFile garbage(at("garbage.jpg"));
     QVERIFY(garbage.open(QIODevice::WriteOnly));
     garbage.write("no picture");
+    QFile broken(at("broken.json"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{");
   }
 
   void writesEveryStage() {
     const QStringList arguments{"leaf", at("leaf.png"), "-o", at("out"), "--variants", "2", "--size", "200"};
     const test::ProgramRun run = windfallRun(arguments);
     QCOMPARE(run.status, 0);
-    for (const char* name : {"mask.png", "veins.png", "distance.png", "regions.png", "superpixels_1.png",
-                             "variant_000.png", "variant_001.png", "look_contour.jpg"}) {
+    for (const char* name :
+         {"mask.png", "veins.png", "distance.png", "regions.png", "superpixels_1.png", "variant_000.png",
+          "variant_001.png", "look_contour.jpg", "variant_000_normal.png", "variant_000_height.png",
+          "variant_001_roughness.png", "variant_001_translucency.png", "variant_000_occlusion.png"}) {
       QVERIFY2(!QImage(at("out/") + name).isNull(), name);
     }
     QCOMPARE(QImage(at("out/mask.png")).size(), QImage(at("leaf.png")).size());
@@ -72,11 +77,18 @@ class LeafCliTest : public QObject {
     const QJsonObject timings = QJsonDocument::fromJson(bytesOf(at("out/timings.json"))).object();
     QVERIFY(timings["stages"].toObject().contains("mask"));
     QCOMPARE(timings["variants"].toArray().size(), 2);
+    for (const char* stage : {"seconds", "maps", "mesh"}) {
+      QVERIFY2(timings["variants"].toArray()[0].toObject()[QLatin1String(stage)].toDouble() > 0, stage);
+    }
+    const QJsonObject mesh = QJsonDocument::fromJson(bytesOf(at("out/variant_000_mesh.json"))).object();
+    QCOMPARE(mesh["levels"].toArray().size(), 4);
+    QCOMPARE(QImage(at("out/variant_000_normal.png")).size(), QImage(at("out/variant_000.png")).size());
     // The same again gives the same textures; fewer leave none of the old behind; nothing unfinished stays.
     const QByteArray first = bytesOf(at("out/variant_000.png"));
     QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("out"), "--variants", "1", "--size", "200"}).status, 0);
     QCOMPARE(bytesOf(at("out/variant_000.png")), first);
     QVERIFY(!QFile::exists(at("out/variant_001.png")));
+    QVERIFY(!QFile::exists(at("out/variant_001_normal.png")));
     QVERIFY(QDir(folder_.path()).entryList({".windfall*"}, QDir::AllEntries | QDir::Hidden).isEmpty());
   }
 
@@ -91,6 +103,7 @@ class LeafCliTest : public QObject {
     QCOMPARE(root[0].toDouble(), 130.0);
   }
 
+<<<<<<< HEAD
   void veinsDrawnElsewhereAreTaken() {
     QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("drawn"), "--veins", at("lines.png"), "--ruler",
                           "0,0,100,0,0.05", "--variants", "0", "--size", "128"})
@@ -111,6 +124,17 @@ class LeafCliTest : public QObject {
                  .status,
              0);
     QVERIFY(!QImage(at("bare/variant_000.png")).isNull());
+=======
+  void presetsAndAgeChangeTheTextures() {
+    const QStringList base{"leaf", at("leaf.png"), "--variants", "1", "--size", "160"};
+    QCOMPARE(windfallRun(base + QStringList{"-o", at("fresh"), "--preset", "Birch"}).status, 0);
+    QCOMPARE(windfallRun(base + QStringList{"-o", at("old"), "--preset", "Birch", "--age", "0.95"}).status, 0);
+    const QImage fresh(at("fresh/variant_000.png")), old(at("old/variant_000.png"));
+    QCOMPARE(old.size(), fresh.size());
+    const QPoint middle(fresh.width() / 2, fresh.height() / 2);
+    QVERIFY(qAlpha(fresh.pixel(middle)) == 255 && fresh.pixel(middle) != old.pixel(middle));
+    QVERIFY(qRed(old.pixel(middle)) > qGreen(old.pixel(middle)));
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   }
 
   void packsAFolderOfVariants() {
@@ -119,6 +143,17 @@ class LeafCliTest : public QObject {
     QCOMPARE(QImage(at("atlas/atlas.png")).size(), QSize(256, 256));
     const QJsonObject json = QJsonDocument::fromJson(bytesOf(at("atlas/atlas.json"))).object();
     QCOMPARE(json["leaves"].toArray().size(), 2);
+    for (const char* map : {"normal", "height", "roughness", "translucency", "occlusion"}) {
+      QCOMPARE(QImage(at(QString("atlas/atlas_%1.png").arg(map))).size(), QSize(256, 256));
+    }
+    // Another packing leaves none of the first's files behind.
+    QCOMPARE(windfallRun({"atlas", at("pack"), "-o", at("atlas"), "--size", "256", "--packer", "gltf", "--mips", "2",
+                          "--mip-files"})
+                 .status,
+             0);
+    QVERIFY(!QFile::exists(at("atlas/atlas_roughness.png")));
+    QCOMPARE(QImage(at("atlas/atlas_orm.png")).size(), QSize(256, 256));
+    QCOMPARE(QImage(at("atlas/atlas_mip2.png")).size(), QSize(64, 64));
     QVERIFY(json["leaves"].toArray()[0].toObject()["pivot"].toArray()[1].toDouble() > 0.85);
   }
 
@@ -145,6 +180,13 @@ class LeafCliTest : public QObject {
     row("no folder", 2, {"leaf", at("leaf.png")});
     row("size too small", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--size", "3"});
     row("negative variants", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--variants", "-1"});
+    row("no such preset", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--preset", "Cactus"});
+    row("preset is no preset", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--preset", at("broken.json")});
+    row("age beyond", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--age", "2"});
+    row("unknown packer", 2, {"atlas", folder_.path(), "-o", at("bad"), "--packer", "doom"});
+    row("no folder can be made there", 1,
+        {"leaf", at("leaf.png"), "-o", "/dev/null/x", "--variants", "0", "--size", "64"});
+    row("atlas where no folder can be", 1, {"atlas", at("pack"), "-o", "/dev/null/x", "--size", "256"});
     row("unknown mode", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--mode", "magic"});
     row("atlas of nothing", 1, {"atlas", folder_.path(), "-o", at("bad")});
     row("atlas of no power of two", 2, {"atlas", folder_.path(), "-o", at("bad"), "--size", "1000"});

@@ -258,7 +258,9 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_option("--temperature", options->temperature, "Of the autumn's days, degrees Celsius")
       ->check(CLI::Range(-30.0, 40.0))
       ->capture_default_str();
-  command->add_option("--wetness", options->wetness, "0 dry air .. 1 rain")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  command->add_option("--wetness", options->wetness, "0 dry air .. 1 rain")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command->add_option("--redness", options->redness, "0 turns yellow .. 1 turns red")->check(CLI::Range(0.0, 1.0));
   command->add_option("--seed", options->seed, "Seed of veins and textures")->capture_default_str();
   command->callback([options, &action] { action = [options] { return makeLeaf(*options); }; });

@@ -14,8 +14,8 @@ QString AtlasExporter::title() const { return QCoreApplication::translate("Expor
 std::vector<ExportParameter> AtlasExporter::parameters() const {
   const AtlasSettings fresh;
   const auto number = [](const char* key, const char* title, double initial, double low, double high) {
-    return ExportParameter{QString::fromLatin1(key), QCoreApplication::translate("Exporter", title), initial, low, high,
-                           true};
+    return ExportParameter{
+        QString::fromLatin1(key), QCoreApplication::translate("Exporter", title), initial, low, high, true};
   };
   return {number("size", QT_TRANSLATE_NOOP("Exporter", "Size (px)"), fresh.size, 64, 16384),
           number("padding", QT_TRANSLATE_NOOP("Exporter", "Padding (px)"), fresh.padding, 0, 2048),
@@ -68,8 +68,7 @@ Status AtlasExporter::write(const Project& project, AssetId asset, const QString
   if (!files) return files.error();
   if (progress.cancelled()) return Error{"cancelled", true};
   if (!QFileInfo(target.path()).isDir()) return Error{"the folder " + target.path().toStdString() + " does not exist"};
-  const Status written =
-      writeTogether(target.path(), *files, staleAtlasFiles(target.completeBaseName(), *files));
+  const Status written = writeTogether(target.path(), *files, staleAtlasFiles(target.completeBaseName(), *files));
   if (!written) return written;
   progress.report(1);
   return ok();

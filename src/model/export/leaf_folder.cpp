@@ -74,10 +74,8 @@ QByteArray timingsText(const LeafFolder& leaf, const std::vector<DressSeconds>& 
   QJsonArray variants;
   for (size_t i = 0; i < leaf.variants.size(); ++i) {
     const double maps = i < dressed.size() ? dressed[i].maps : 0, mesh = i < dressed.size() ? dressed[i].mesh : 0;
-    variants.append(QJsonObject{{"seed", QString::number(leaf.seeds[i])},
-                                {"seconds", leaf.variantSeconds[i]},
-                                {"maps", maps},
-                                {"mesh", mesh}});
+    variants.append(QJsonObject{
+        {"seed", QString::number(leaf.seeds[i])}, {"seconds", leaf.variantSeconds[i]}, {"maps", maps}, {"mesh", mesh}});
     total += leaf.variantSeconds[i] + maps + mesh;
   }
   return QJsonDocument(QJsonObject{{"stages", stages}, {"variants", variants}, {"total", total}}).toJson();
@@ -168,16 +166,18 @@ Status writeVariant(const LeafFolder& leaf, size_t i, const QDir& folder, DressS
   const LeafMaps maps = makeMaps(source, leaf.parameters.maps);
   seconds.maps = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
   timer.start();
-  LeafTexture texture = uprightTexture({}, source.image, source.root, stages.toVariant(stages.tip, size),
-                                       leaf.bladeLength, source.veins);
+  LeafTexture texture =
+      uprightTexture({}, source.image, source.root, stages.toVariant(stages.tip, size), leaf.bladeLength, source.veins);
   Result<LeafMeshes> meshes = fitTexture(texture);
   if (!meshes) return meshes.error();
   texture.meshes = std::move(*meshes);
   seconds.mesh = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
-  const std::pair<const char*, const QImage*> images[] = {
-      {".png", &source.image},         {"_height.png", &maps.height},
-      {"_normal.png", &maps.normal},   {"_roughness.png", &maps.roughness},
-      {"_occlusion.png", &maps.occlusion}, {"_translucency.png", &maps.translucency}};
+  const std::pair<const char*, const QImage*> images[] = {{".png", &source.image},
+                                                          {"_height.png", &maps.height},
+                                                          {"_normal.png", &maps.normal},
+                                                          {"_roughness.png", &maps.roughness},
+                                                          {"_occlusion.png", &maps.occlusion},
+                                                          {"_translucency.png", &maps.translucency}};
   for (const auto& [ending, image] : images) {
     if (Status s = write(folder, variantName(i, ending), *image); !s) return s;
   }
@@ -274,7 +274,8 @@ Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& pr
   if (Status written = writeAll(leaf, made, progress); !written) return written;
   if (!QDir().mkpath(target.absoluteFilePath())) return Error{"the folder cannot be made"};
   const QDir place(target.absoluteFilePath());
-  for (const QString& old : place.entryList({QStringLiteral("variant_???.png"), QStringLiteral("variant_???_*")}, QDir::Files)) {
+  for (const QString& old :
+       place.entryList({QStringLiteral("variant_???.png"), QStringLiteral("variant_???_*")}, QDir::Files)) {
     if (!made.exists(old)) QFile::remove(place.filePath(old));
   }
   for (const QString& name : made.entryList(QDir::Files)) {

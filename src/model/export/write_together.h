@@ -16,7 +16,8 @@ struct NamedBytes {
 };
 
 /// Writes all under temporary names in `folder` (made where it is missing), then renames each: a full disk or a missing
-/// permission leaves what was there. `stale` names, files of an earlier run, go last. Errors begin with the file's name.
+/// permission leaves what was there. `stale` names, files of an earlier run, go last. Errors begin with the file's
+/// name.
 Status writeTogether(const QString& folder, const std::vector<NamedBytes>& files, const QStringList& stale = {});
 
 }  // namespace windfall::model

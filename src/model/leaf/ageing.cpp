@@ -75,10 +75,9 @@ double seasonDays(double season) { return 45 * std::pow(std::clamp(season, 0.0, 
 LeafAge ageOfRank(double rank, const SeasonStates& states) {
   // Who turns first stands first: ranks count from the last to turn, so that each limit only ever falls.
   const double green = states[0], yellow = green + states[1], red = yellow + states[2];
-  const auto past = [rank](double limit, double width) {
-    return smooth(0, 1, (rank - limit) / std::max(1e-6, width * (1 - limit)));
-  };
-  return {past(green, 0.35), states[2] + states[3] > 1e-9 ? past(yellow, 0.35) : 0, past(red, 0.6)};
+  // About the limit, from wholly before while the limit is 1 to wholly past where it is 0.
+  const auto past = [rank](double limit, double width) { return smooth(0, 1, (rank - limit) / width + 1 - limit); };
+  return {past(green, 0.2), states[2] + states[3] > 1e-9 ? past(yellow, 0.2) : 0, past(red, 0.3)};
 }
 
 std::array<std::array<float, 3>, 3> ageColours(const AgeingParameters& parameters) {

@@ -26,14 +26,14 @@ struct LeafTexture {
   QPointF pivot;  ///< petiole's end in shares of the image, top left (0, 0)
   QSizeF metres;  ///< real size of the whole image
 
-  QTransform toTexture{};         ///< pixels of the variant to pixels of the image
-  QPointF root{};                 ///< where the blade begins, px of the image
-  Veins veins{};                  ///< px of the image
-  LeafMaps maps{};                ///< null images until `dressTexture`
-  LeafMeshes meshes{};            ///< empty until then
-  float stalk = 0;                ///< petiole's share of the length from its end to the tip
-  float halfWidth = 0.4f;         ///< of the blade, in that length
-  AgeingParameters ageing{};      ///< of the leaf that it came from
+  QTransform toTexture{};     ///< pixels of the variant to pixels of the image
+  QPointF root{};             ///< where the blade begins, px of the image
+  Veins veins{};              ///< px of the image
+  LeafMaps maps{};            ///< null images until `dressTexture`
+  LeafMeshes meshes{};        ///< empty until then
+  float stalk = 0;            ///< petiole's share of the length from its end to the tip
+  float halfWidth = 0.4f;     ///< of the blade, in that length
+  AgeingParameters ageing{};  ///< of the leaf that it came from
 };
 
 /// Turns a variant so that root to tip points up, and crops it to the leaf. `veins` in the variant's pixels.
@@ -47,11 +47,11 @@ Status dressTexture(LeafTexture& texture, const LeafParameters& parameters, quin
 Result<LeafMeshes> fitTexture(const LeafTexture& texture);
 
 struct Atlas {
-  QImage image;                   ///< RGBA8888, straight alpha, colours spread everywhere
-  LeafMaps maps;                  ///< of the same size; null where no texture has maps
-  std::vector<QRect> places;      ///< of the textures, in order, px
-  std::vector<bool> turned;       ///< by 90 degrees clockwise: the tip points right
-  double scale = 1;               ///< px of the atlas a px of a texture
+  QImage image;               ///< RGBA8888, straight alpha, colours spread everywhere
+  LeafMaps maps;              ///< of the same size; null where no texture has maps
+  std::vector<QRect> places;  ///< of the textures, in order, px
+  std::vector<bool> turned;   ///< by 90 degrees clockwise: the tip points right
+  double scale = 1;           ///< px of the atlas a px of a texture
   std::vector<LeafTexture> textures;
 
   /// A place in a texture (shares, top left (0, 0)) as a place in the atlas.

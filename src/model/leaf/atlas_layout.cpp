@@ -62,7 +62,8 @@ std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSe
   // Every second one turned lets leaves of one shape lie head to foot.
   size_t number = 0;
   for (const std::vector<bool>& turned :
-       {all([](const QSize& s) { return s.width() > s.height(); }), all([](const QSize& s) { return s.height() > s.width(); }),
+       {all([](const QSize& s) { return s.width() > s.height(); }),
+        all([](const QSize& s) { return s.height() > s.width(); }),
         all([&](const QSize& s) { return (s.width() > s.height()) != (largest->width() > largest->height()); }),
         all([&](const QSize&) { return number++ % 2 == 1; })}) {
     std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings);

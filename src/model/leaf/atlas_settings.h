@@ -15,10 +15,10 @@ enum class AtlasPacker {
 };
 
 struct AtlasSettings {
-  int size = 2048;    ///< side, a power of two
-  int padding = 16;   ///< px at least between leaves, filled with the leaves' own colours
-  int mipLevels = 1;  ///< that must stay free of neighbours: the gap is at least 8 px, doubled for each
-  bool rotate = true; ///< leaves may lie on their side where that packs better
+  int size = 2048;     ///< side, a power of two
+  int padding = 16;    ///< px at least between leaves, filled with the leaves' own colours
+  int mipLevels = 1;   ///< that must stay free of neighbours: the gap is at least 8 px, doubled for each
+  bool rotate = true;  ///< leaves may lie on their side where that packs better
   AtlasPacker packer = AtlasPacker::Plain;
   bool operator==(const AtlasSettings&) const = default;
 

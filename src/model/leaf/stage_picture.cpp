@@ -121,6 +121,8 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
       break;
     case Stage::Photo:
     case Stage::Variants:
+    case Stage::Maps:
+    case Stage::Atlas:
       break;
   }
   return image;

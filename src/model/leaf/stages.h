@@ -41,7 +41,8 @@ struct LeafStructure {
 // GCC 12 takes the scoped Stage::Veins for a shadow of the type of that name.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
-enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants };
+/// Maps and Atlas are made from the variants, not by computeStages.
+enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants, Maps, Atlas };
 #pragma GCC diagnostic pop
 
 /// What was derived from a leaf. Working images and variants cover `frame`, the leaf's part of the photo, with the long

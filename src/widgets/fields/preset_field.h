@@ -34,11 +34,15 @@ class PresetField : public ChoiceField {
     setMixed();
   }
 
+  /// Looks for presets anew: one was saved or imported.
+  void reload();
+
   const std::vector<model::Preset>& presets() const { return presets_; }
 
  private:
-  PresetField(std::vector<model::Preset> presets, QWidget* parent);
+  PresetField(const QString& domain, std::vector<model::Preset> presets, QWidget* parent);
 
+  QString domain_;
   std::vector<model::Preset> presets_;
 };
 

@@ -13,7 +13,9 @@ class QLabel;
 namespace windfall::widgets {
 
 class CheckField;
+class ChoiceField;
 class Field;
+class PresetField;
 class InfoField;
 class NumberField;
 class SeedField;
@@ -35,11 +37,23 @@ class LeafInspector : public FieldPanel {
   NumberField* bladeLength() const { return bladeLength_; }
   /// What the stages found, for the rows that only tell: vertices, real size, veins.
   void showFound(const model::LeafStages* stages);
+  PresetField* species() const { return species_; }
+  ChoiceField* mapKind() const { return mapKind_; }
+  NumberField* age() const { return age_; }
+  /// Keeps the leaf's numbers as the artist's own preset; an empty name asks for one.
+  void savePreset(QString name);
+  /// Takes a preset file, or says in the message area what is wrong with it.
+  void importPreset(const QString& path);
+  /// Writes the leaf's numbers as a preset file.
+  void sharePreset(QString path);
 
  signals:
   void openPhotoRequested();
   void replacePhotoRequested();
   void loadVeinsRequested();
+  /// Index of model::MapKind.
+  void mapChosen(int kind);
+  void message(const QString& text, bool isError);
 
  private:
   void addSource();
@@ -50,6 +64,9 @@ class LeafInspector : public FieldPanel {
   void addRegions();
   void addSynthesis();
   void refresh();
+  void addSpecies();
+  void addMaps();
+  void addAgeing();
   /// A row whose value lies in the parameters.
   NumberField* number(FieldGroup* group, const char* id, const QString& label, const struct NumberSpec& spec,
                       std::function<double(const model::LeafParameters&)> get,
@@ -66,6 +83,9 @@ class LeafInspector : public FieldPanel {
   SeedField* seed_ = nullptr;
   QHash<QString, NumberField*> numbers_;
   QHash<QString, CheckField*> checks_;
+  PresetField* species_ = nullptr;
+  ChoiceField* mapKind_ = nullptr;
+  NumberField* age_ = nullptr;
   std::vector<std::function<void(const model::Leaf&)>> refreshers_;
 };
 

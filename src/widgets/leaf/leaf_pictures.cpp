@@ -72,7 +72,7 @@ QImage LeafPictures::mask() const {
 StageState LeafPictures::state(Stage stage) const {
   const model::Leaf* shown = leaf();
   if (!shown) return StageState::Unknown;
-  if (known_ && stage > valid_ && deepest_ && stage <= deepest_->reached && stage != Stage::Variants)
+  if (known_ && stage > valid_ && deepest_ && stage <= deepest_->reached && stage < Stage::Variants)
     return StageState::OutOfDate;
   const model::LeafParameters defaults;
   const model::LeafParameters& now = shown->parameters;
@@ -98,6 +98,10 @@ StageState LeafPictures::state(Stage stage) const {
     case Stage::Superpixels:
       edited = now.synthesis.superpixels != defaults.synthesis.superpixels;
       break;
+    case Stage::Maps:
+      if (shown->variants.empty()) return StageState::Unknown;
+      return now.maps == defaults.maps && now.ageing == defaults.ageing ? StageState::Automatic : StageState::Edited;
+    case Stage::Atlas:
     case Stage::Variants:
       return shown->variants.empty() ? StageState::Unknown : StageState::Automatic;
   }

@@ -10,13 +10,22 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+<<<<<<< HEAD
 #include "model/leaf/mask_edit.h"
+=======
+#include "widgets/fields/choice_field.h"
+#include "widgets/leaf/atlas_panel.h"
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
 #include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_jobs.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
+<<<<<<< HEAD
 #include "widgets/leaf/region_match_view.h"
+=======
+#include "widgets/leaf/maps_view.h"
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/variant_strip.h"
 #include "widgets/look/empty_state.h"
@@ -39,6 +48,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
       context_(context),
       pictures_(new LeafPictures(context.document, context.jobs, this)),
       jobs_(new LeafJobs(context.document, context.jobs, this)),
+      maps_(new MapsView(context.document, context.jobs, this)),
       window_(window) {
   buildCanvas(window);
   inspector_ = new LeafInspector(context.document, window);
@@ -80,6 +90,15 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
     const QString path = askForPhoto(tr("Replace Photo"));
     if (!path.isEmpty()) jobs_->openPhoto(path, leaf());
   });
+  connect(inspector_, &LeafInspector::mapChosen, this, [this] {
+    if (stage_ == Stage::Maps) return updatePicture();
+    if (!pictures_->leaf() || pictures_->leaf()->variants.empty()) return;
+    setStage(Stage::Maps);
+  });
+  connect(inspector_, &LeafInspector::message, this, &Workspace::message);
+  connect(maps_, &MapsView::changed, this, [this] {
+    if (variantsShown_) pane_->setOverlay(maps_->picture());
+  });
   connect(strip_, &VariantStrip::makeRequested, this, &LeafWorkspace::makeVariants);
   connect(strip_, &VariantStrip::opened, this, [this] { setStage(Stage::Variants); });
   connect(strip_, &VariantStrip::chosen, this, [this] {
@@ -96,7 +115,8 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
     const std::vector<Leaf>& leaves = context_.document.project().leaves;
     if (change.aspect == Aspect::Everything || !context_.document.project().leaf(leaf())) {
       show(leaves.empty() ? AssetId() : leaves.front().id);
-    } else if (change.asset == leaf() && change.aspect == Aspect::LeafVariants && variantsShown_) {
+    } else if (change.asset == leaf() && variantsShown_ &&
+               (change.aspect == Aspect::LeafVariants || change.aspect == Aspect::LeafParameters)) {
       updatePicture();
     }
   });
@@ -120,6 +140,7 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
                                stack_);
   connect(empty->addButton(tr("Open a leaf photo…"), {}, true), &QPushButton::clicked, this, &LeafWorkspace::add);
   pane_ = new ImagePane(stack_);
+<<<<<<< HEAD
   match_ = new RegionMatchView(context_.document, context_.jobs, *pictures_, stack_);
   auto* sideBySide = new QSplitter(Qt::Horizontal, stack_);
   sideBySide->setChildrenCollapsible(false);
@@ -130,6 +151,13 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
   match_->hide();
   stack_->addWidget(empty);
   stack_->addWidget(sideBySide);
+=======
+  atlas_ = new AtlasPanel(context_.document, context_.jobs, stack_);
+  connect(atlas_, &AtlasPanel::exportRequested, this, &LeafWorkspace::exportResult);
+  stack_->addWidget(empty);
+  stack_->addWidget(pane_);
+  stack_->addWidget(atlas_);
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   column->addWidget(stageBar_);
   column->addWidget(stack_, 1);
   canvas_->setFocusProxy(pane_);
@@ -234,7 +262,7 @@ void LeafWorkspace::show(AssetId id) {
   pictures_->setLeaf(id);
   inspector_->setLeaf(id);
   strip_->setLeaf(id);
-  stack_->setCurrentIndex(context_.document.project().leaf(id) ? 1 : 0);
+  stack_->setCurrentIndex(!context_.document.project().leaf(id) ? 0 : stage_ == Stage::Atlas ? 2 : 1);
   stageBar_->setEnabled(bool(context_.document.project().leaf(id)));
   updateStates();
   updatePicture();
@@ -242,15 +270,23 @@ void LeafWorkspace::show(AssetId id) {
 
 void LeafWorkspace::setStage(Stage stage) {
   stageBar_->setStage(stage);
+<<<<<<< HEAD
   // Regions are matched on their own stage alone.
   if (match_->isActive() && stage != Stage::Regions) toolBox_->choose(QStringLiteral("hand"));
   variantsShown_ = stage == Stage::Variants;
   pictures_->want(stage);
+=======
+  stage_ = stage;
+  variantsShown_ = stage >= Stage::Variants;
+  pictures_->want(std::min(stage, Stage::Variants));
+  const bool any = bool(context_.document.project().leaf(leaf()));
+  stack_->setCurrentIndex(!any ? 0 : stage == Stage::Atlas ? 2 : 1);
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   updatePicture();
 }
 
 void LeafWorkspace::updateStates() {
-  for (int i = int(Stage::Photo); i <= int(Stage::Variants); ++i) {
+  for (int i = int(Stage::Photo); i <= int(Stage::Atlas); ++i) {
     stageBar_->setState(Stage(i), pictures_->state(Stage(i)));
   }
   pane_->update();
@@ -264,7 +300,9 @@ void LeafWorkspace::updatePicture() {
     pane_->setLegend({});
     const int chosen = std::clamp(strip_->current(), 0, int(shown->variants.size()) - 1);
     pane_->setOverlayOpacity(1);
-    pane_->setOverlay(MipImage(shown->variants[std::size_t(chosen)].image));
+    const auto kind = stage_ == Stage::Maps ? model::MapKind(inspector_->mapKind()->value()) : model::MapKind::Colour;
+    maps_->show(shown->id, chosen, kind, pictures_->isUpToDate(Stage::Veins) ? pictures_->stages() : nullptr);
+    pane_->setOverlay(maps_->picture());
     return;
   }
   pane_->setOverlayOpacity(stageBar_->opacity());
@@ -325,8 +363,12 @@ void LeafWorkspace::exportResult(bool elsewhere) {
 
 QJsonObject LeafWorkspace::saveView() const {
   QJsonObject view{{QStringLiteral("leaf"), QString::number(leaf().value)},
+<<<<<<< HEAD
                    {QStringLiteral("stage"), int(variantsShown_ ? Stage::Variants : pictures_->wanted())},
                    {QStringLiteral("field"), int(stageBar_->field())},
+=======
+                   {QStringLiteral("stage"), int(variantsShown_ ? stage_ : pictures_->wanted())},
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
                    {QStringLiteral("opacity"), stageBar_->opacity()}};
   if (!pane_->isFitted()) {
     view[QStringLiteral("zoom")] = pane_->zoom();
@@ -342,7 +384,7 @@ void LeafWorkspace::restoreView(const QJsonObject& view) {
   stageBar_->setField(
       model::LeafField(std::clamp(view[QStringLiteral("field")].toInt(0), 0, int(model::LeafField::Margin))));
   const int stage = view[QStringLiteral("stage")].toInt(-1);
-  if (stage >= 0 && stage <= int(Stage::Variants)) setStage(Stage(stage));
+  if (stage >= 0 && stage <= int(Stage::Atlas)) setStage(Stage(stage));
   if (view.contains(QStringLiteral("opacity"))) stageBar_->setOpacity(view[QStringLiteral("opacity")].toDouble());
   if (view.contains(QStringLiteral("zoom"))) {
     pane_->setView(view[QStringLiteral("zoom")].toDouble(),
@@ -352,7 +394,11 @@ void LeafWorkspace::restoreView(const QJsonObject& view) {
 
 bool LeafWorkspace::isSettled() const {
   if (!pictures_->leaf()) return true;
+<<<<<<< HEAD
   return !pictures_->isComputing() && !match_->isComputing() && !pane_->base().isNull();
+=======
+  return !pictures_->isComputing() && !pane_->base().isNull() && !maps_->isComputing() && !atlas_->isComputing();
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
 }
 
 }  // namespace windfall::widgets

@@ -8,7 +8,9 @@ class QStackedWidget;
 
 namespace windfall::widgets {
 
+class AtlasPanel;
 class ImagePane;
+class MapsView;
 class LeafInspector;
 class LeafJobs;
 class LeafPictures;
@@ -46,7 +48,11 @@ class LeafWorkspace : public Workspace {
   LeafPictures& pictures() { return *pictures_; }
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
+<<<<<<< HEAD
   RegionMatchView& regionMatch() { return *match_; }
+=======
+  AtlasPanel& atlas() { return *atlas_; }
+>>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   LeafInspector& numbers() { return *inspector_; }
 
  private:
@@ -65,6 +71,9 @@ class LeafWorkspace : public Workspace {
   WorkspaceContext context_;
   LeafPictures* pictures_;
   LeafJobs* jobs_;
+  MapsView* maps_;
+  AtlasPanel* atlas_ = nullptr;
+  model::Stage stage_ = model::Stage::Photo;
   QWidget* window_;
   QWidget* canvas_;
   QStackedWidget* stack_;

@@ -87,6 +87,10 @@ QString StageBar::title(Stage stage) {
       return tr("Superpixels");
     case Stage::Variants:
       return tr("Variants");
+    case Stage::Maps:
+      return tr("Maps");
+    case Stage::Atlas:
+      return tr("Atlas");
   }
   return {};
 }
@@ -115,7 +119,7 @@ StageBar::StageBar(QWidget* parent) : QWidget(parent), opacity_(new Slider(this)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * kGrid, kGrid, 3 * kGrid, kGrid);
   row->setSpacing(0);
-  for (int i = int(Stage::Photo); i <= int(Stage::Variants); ++i) {
+  for (int i = int(Stage::Photo); i <= int(Stage::Atlas); ++i) {
     if (i > 0) row->addWidget(new Separator(this));
     auto* chip = new StageChip(title(Stage(i)), this);
     chip->setAutoExclusive(true);

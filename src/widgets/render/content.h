@@ -82,10 +82,10 @@ struct LeafLayer {
   std::array<vec3, 3> gains{vec3(1), vec3(1), vec3(1)};  ///< on linear colour: yellow, red, brown
   /// Shares of leaves that are green, yellow, red, brown at the season's samples.
   std::array<vec4, kSeasonSamples> seasons = filled(vec4(1, 0, 0, 0));
-  float redness = 0;      ///< strength of red where it is made, 0..1
-  float wetness = 0.5f;   ///< wet leaves curl less
-  float stalk = 0;        ///< share of the length that is petiole and stays straight
-  float halfWidth = 0.3f; ///< of the blade, leaf lengths
+  float redness = 0;       ///< strength of red where it is made, 0..1
+  float wetness = 0.5f;    ///< wet leaves curl less
+  float stalk = 0;         ///< share of the length that is petiole and stays straight
+  float halfWidth = 0.3f;  ///< of the blade, leaf lengths
 
   static std::array<vec4, kSeasonSamples> filled(const vec4& value) {
     std::array<vec4, kSeasonSamples> samples;

@@ -37,8 +37,8 @@ std::vector<std::uint8_t> resampledNumbers(const Picture& from, int side) {
       unsigned sum[4]{}, count = 0;
       for (int sy = y0; sy < y1; ++sy) {
         for (int sx = x0; sx < x1; ++sx, ++count) {
-          const std::size_t i = (static_cast<std::size_t>(sy) * static_cast<std::size_t>(from.width) +
-                                 static_cast<std::size_t>(sx)) * 4;
+          const std::size_t i =
+              (static_cast<std::size_t>(sy) * static_cast<std::size_t>(from.width) + static_cast<std::size_t>(sx)) * 4;
           for (std::size_t c = 0; c < 4; ++c) sum[c] += from.rgba[i + c];
         }
       }

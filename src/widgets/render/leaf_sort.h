@@ -19,7 +19,7 @@ struct LeafSight {
 
 /// A part of the leaves that one storage block can hold.
 struct LeafChunk {
-  GLintptr offset = 0;    ///< in the leaves' buffer
+  GLintptr offset = 0;  ///< in the leaves' buffer
   std::size_t count = 0;
   Buffer commands, lists;
 };

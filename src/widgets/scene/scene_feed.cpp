@@ -33,6 +33,7 @@ SceneFeed::SceneFeed(const WorkspaceContext& context, SimulationController& cont
 void SceneFeed::rebuild(bool restore) {
   restore_ = restore || (job_ && restore_);
   const std::optional<model::Project> project = source_();
+  if (project) looks_ = looksOf(*project);
   if (!project || project->scene.trees.empty()) {
     assembly_.reset();
     placements_.clear();
@@ -103,6 +104,11 @@ bool SceneFeed::follow(const model::Change& change) {
       if (!usesLeaf(change.asset)) return false;
       rebuild(false);
       return true;
+    case model::Aspect::LeafParameters:
+      // Only what changes the look of the textures; the simulation goes on where it was left.
+      if (!project || !usesLeaf(change.asset) || looksOf(*project) == looks_) return false;
+      rebuild(true);
+      return true;
     case model::Aspect::SceneTrees:
       if (project && assembly_ && !job_ && movesOnly(*project)) {
         place(*project);
@@ -139,6 +145,14 @@ bool SceneFeed::usesLeaf(model::AssetId leaf) const {
   return project && std::any_of(project->plants.begin(), project->plants.end(), [&](const model::Plant& plant) {
            return std::find(plant.leaves.begin(), plant.leaves.end(), leaf) != plant.leaves.end();
          });
+}
+
+SceneFeed::Looks SceneFeed::looksOf(const model::Project& project) {
+  Looks looks;
+  for (const model::Leaf& leaf : project.leaves) {
+    looks.emplace_back(leaf.parameters.maps, leaf.parameters.ageing);
+  }
+  return looks;
 }
 
 bool SceneFeed::movesOnly(const model::Project& project) const {

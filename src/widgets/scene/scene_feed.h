@@ -61,6 +61,9 @@ class SceneFeed : public QObject {
   bool movesOnly(const model::Project& project) const;
   void place(const model::Project& project);
   bool usesLeaf(model::AssetId leaf) const;
+  /// How each leaf's maps and ages are made.
+  using Looks = std::vector<std::pair<model::MapParameters, model::AgeingParameters>>;
+  static Looks looksOf(const model::Project& project);
 
   model::Document& document_;
   model::JobRunner& jobs_;
@@ -74,6 +77,7 @@ class SceneFeed : public QObject {
   std::vector<TreeSpan> spans_;
   QPointer<model::Job> job_;
   bool restore_ = false;
+  Looks looks_;  ///< as assembled
 };
 
 }  // namespace windfall::widgets

@@ -258,6 +258,7 @@ void SimulationController::prepare(render::Renderer& renderer) {
 
 void SimulationController::describe(render::View& view) const {
   view.toSun = toSun_;
+  view.season = scene_.leaves.season;
   view.sunStrength = sunStrength_;
   view.time = static_cast<float>(last_.statistics.time);
   const vec3 along(scene_.wind.direction.x, 0, scene_.wind.direction.z);

@@ -58,7 +58,7 @@ render::Picture surfaceOf(const model::LeafTexture& texture) {
   picture.rgba.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4);
   for (int y = 0; y < picture.height; ++y) {
     const uchar *normal = maps.normal.constScanLine(y), *rough = maps.roughness.constScanLine(y);
-    const uchar *through = maps.thinness.constScanLine(y);
+    const uchar* through = maps.thinness.constScanLine(y);
     for (int x = 0; x < picture.width; ++x) {
       picture.rgba.insert(picture.rgba.end(), {normal[4 * x], normal[4 * x + 1], rough[x], through[x]});
     }
@@ -73,8 +73,10 @@ render::Picture ageingOf(const model::LeafTexture& texture) {
   for (int y = 0; y < picture.height; ++y) {
     const uchar* open = texture.maps.occlusion.constScanLine(y);
     for (int x = 0; x < picture.width; ++x) {
-      picture.rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                    static_cast<std::size_t>(x)) * 4 + 3] = open[x];
+      picture
+          .rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)) *
+                    4 +
+                3] = open[x];
     }
   }
   return picture;

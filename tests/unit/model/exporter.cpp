@@ -43,7 +43,7 @@ void ExporterTest::parametersAreChecked() {
   for (const QJsonValue& bad : {QJsonValue(1), QJsonValue(1e9), QJsonValue(100.5), QJsonValue("512")}) {
     const Result<double> value = parameterValue(atlas, {{"size", bad}}, "size");
     QVERIFY(!value);
-    QCOMPARE(QString::fromStdString(value.error().message), QString("size: expected a whole number from 64 to 8192"));
+    QCOMPARE(QString::fromStdString(value.error().message), QString("size: expected a whole number from 64 to 16384"));
   }
   QVERIFY(!parameterValue(atlas, {}, "colour"));
 }

@@ -103,11 +103,13 @@ class LeafAgeingTest : public QObject {
     int green = 0, dying = 0;
     for (int i = 0; i < 1000; ++i) {
       const LeafAge age = ageOfRank((i + 0.5) / 1000, states);
-      green += age.fading == 0;
-      dying += age.browning > 0;
+      green += age.fading < 0.5;
+      dying += age.browning > 0.5;
     }
-    QVERIFY(std::abs(green / 1000.0 - states[0]) < 0.01);
-    QVERIFY(std::abs(dying / 1000.0 - states[3]) < 0.01);
+    QVERIFY2(std::abs(green / 1000.0 - states[0]) < 0.1, qPrintable(QString("%1 %2").arg(green).arg(states[0])));
+    QVERIFY2(std::abs(dying / 1000.0 - states[3]) < 0.16, qPrintable(QString("%1 %2").arg(dying).arg(states[3])));
+    // At the end no leaf is green.
+    for (const double rank : {0.001, 0.5, 0.999}) QVERIFY(ageOfRank(rank, {0, 0, 0, 1}).browning > 0.99);
   }
 
   void veinsAreTheLastToLoseGreen() {

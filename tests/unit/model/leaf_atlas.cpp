@@ -1,8 +1,11 @@
 #include "model/leaf/atlas.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
 #include <QtTest>
 
+#include "model/export/atlas_files.h"
 #include "model/leaf/dilate.h"
 #include "model/sample/leaf_painter.h"
 #include "support/suite.h"
@@ -25,6 +28,12 @@ QImage cutOut(const PaintedPhoto& painted) {
 LeafTexture texture(quint64 seed, int size = 300) {
   const PaintedPhoto painted = paintLeafPhoto({}, seed, size);
   return uprightTexture(QStringLiteral("leaf %1").arg(seed), cutOut(painted), painted.root, painted.tip, 0.08);
+}
+
+std::array<float, 3> labOf(const QColor& colour) {
+  QImage one(1, 1, QImage::Format_RGBA8888);
+  one.fill(QColor(colour.red(), colour.green(), colour.blue()));
+  return meanLab(one);
 }
 
 /// Halves an image as a mip level does, colours and alpha apart.
@@ -127,6 +136,190 @@ class LeafAtlas : public QObject {
       }
       mip = halved(mip);
     }
+  }
+
+  void noHaloAtMipFive_data() {
+    QTest::addColumn<QColor>("ground");
+    QTest::addColumn<int>("shape");
+    for (int shape = 0; shape <= int(LeafShape::Maple); ++shape) {
+      QTest::addRow("white %d", shape) << QColor(250, 250, 248) << shape;
+      QTest::addRow("dark %d", shape) << QColor(12, 12, 16) << shape;
+    }
+  }
+  void noHaloAtMipFive() {
+    QFETCH(QColor, ground);
+    QFETCH(int, shape);
+    // Photographed on this ground: the margin is mixed with it, and all around is nothing but it.
+    const PaintedPhoto painted = paintLeafPhoto({LeafShape(shape), 0.2, 0.5}, 4, 500);
+    QImage leaf(painted.photo.size(), QImage::Format_RGBA8888);
+    for (int y = 0; y < leaf.height(); ++y) {
+      for (int x = 0; x < leaf.width(); ++x) {
+        const int alpha = painted.mask.constScanLine(y)[x];
+        const QColor own = painted.photo.pixelColor(x, y);
+        const auto mixed = [&](int a, int b) { return (a * alpha + b * (255 - alpha)) / 255; };
+        leaf.setPixelColor(x, y,
+                           QColor(mixed(own.red(), ground.red()), mixed(own.green(), ground.green()),
+                                  mixed(own.blue(), ground.blue()), alpha));
+      }
+    }
+    LeafTexture upright = uprightTexture("a", leaf, painted.root, painted.tip, 0.08);
+    QVERIFY(dressTexture(upright, {}, 1));
+    const Result<Atlas> atlas = packAtlas({upright, upright, upright}, {1024, 16});
+    QVERIFY(atlas);
+    // The leaf's own colours, from well inside.
+    std::vector<std::array<float, 3>> inside;
+    for (int y = 4; y + 4 < painted.mask.height(); y += 3) {
+      for (int x = 4; x + 4 < painted.mask.width(); x += 3) {
+        bool deep = true;
+        for (int d = -4; d <= 4; ++d) {
+          deep = deep && painted.mask.constScanLine(y + d)[x] == 255 && painted.mask.constScanLine(y)[x + d] == 255;
+        }
+        if (deep) inside.push_back(labOf(painted.photo.pixelColor(x, y)));
+      }
+    }
+    QVERIFY(inside.size() > 500);
+    const std::vector<QImage> mips = mipLevels(atlas->image, 5);
+    QCOMPARE(mips.size(), size_t(5));
+    QCOMPARE(mips[4].size(), QSize(32, 32));
+    int visible = 0;
+    float worst = 0;
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) {
+        if (mips[4].pixelColor(x, y).alpha() == 0) continue;
+        const auto lab = labOf(mips[4].pixelColor(x, y));
+        float nearest = 1e9f;
+        for (const auto& own : inside) {
+          nearest = std::min(nearest, std::hypot(lab[0] - own[0], lab[1] - own[1], lab[2] - own[2]));
+        }
+        worst = std::max(worst, nearest);
+        ++visible;
+      }
+    }
+    QVERIFY(visible > 100);
+    QVERIFY2(worst <= 20, qPrintable(QString::number(worst)));
+  }
+
+  void mipLevelsKeepTheirCoverage() {
+    const Result<Atlas> atlas = packAtlas({texture(1), texture(2), texture(3)}, {1024, 16});
+    QVERIFY(atlas);
+    const auto coverage = [](const QImage& image) {
+      int pass = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) pass += image.pixelColor(x, y).alpha() >= 128;
+      }
+      return double(pass) / (image.width() * image.height());
+    };
+    const double whole = coverage(atlas->image);
+    for (const QImage& mip : mipLevels(atlas->image, 5)) {
+      const double texel = 1.0 / (mip.width() * mip.height());
+      QVERIFY2(std::abs(coverage(mip) - whole) < 0.01 + 2 * texel, qPrintable(QString::number(coverage(mip))));
+    }
+  }
+
+  void gapsGrowWithTheMipLevelsWanted() {
+    QCOMPARE((AtlasSettings{2048, 16, 1}.gap()), 16);
+    QCOMPARE((AtlasSettings{2048, 0, 3}.gap()), 64);
+    QCOMPARE((AtlasSettings{2048, 100, 3}.gap()), 100);
+    QCOMPARE((AtlasSettings{256, 0, 5}.gap()), 32);
+  }
+
+  void mapsLieWhereTheirLeavesLie() {
+    LeafTexture t = texture(2);
+    QVERIFY(dressTexture(t, {}, 1));
+    const Result<Atlas> atlas = packAtlas({t, t}, {1024, 16, 1, false});
+    QVERIFY(atlas);
+    QCOMPARE(atlas->maps.normal.size(), QSize(1024, 1024));
+    for (const QRect& place : atlas->places) {
+      const QPoint middle = place.center();
+      const QPoint own = middle - place.topLeft();
+      QCOMPARE(atlas->maps.roughness.pixel(middle), t.maps.roughness.pixel(own));
+      QVERIFY(std::abs(qRed(atlas->maps.normal.pixel(middle)) - qRed(t.maps.normal.pixel(own))) <= 2);
+      // Alpha is kept in the normal map.
+      QCOMPARE(qAlpha(atlas->maps.normal.pixel(middle)), qAlpha(atlas->image.pixel(middle)));
+    }
+  }
+
+  void turnedLeavesTurnTheirNormalsAndMeshesWithThem() {
+    // Two long leaves on a low shelf: lying is better.
+    LeafTexture t = texture(2, 400);
+    QVERIFY(dressTexture(t, {}, 1));
+    std::vector<LeafTexture> many(5, t);
+    AtlasSettings settings{512, 8, 0, true};
+    const Result<Atlas> atlas = packAtlas(many, settings);
+    settings.rotate = false;
+    const Result<Atlas> upright = packAtlas(many, settings);
+    QVERIFY(atlas && upright);
+    QVERIFY(atlas->scale >= upright->scale);
+    for (size_t i = 0; i < 5; ++i) {
+      const QPointF pivot = atlas->toAtlas(i, t.pivot);
+      const QPoint pixel(int(pivot.x() * 512), int(pivot.y() * 512));
+      QVERIFY(atlas->places[i].adjusted(-1, -1, 1, 1).contains(pixel));
+      if (!atlas->turned[i]) continue;
+      // The tip points right: the petiole's end is at the left.
+      QVERIFY(pixel.x() < atlas->places[i].center().x());
+    }
+  }
+
+  void packersShareChannelsTheirWay() {
+    LeafTexture t = texture(2, 200);
+    QVERIFY(dressTexture(t, {}, 1));
+    const Result<Atlas> atlas = packAtlas({t}, {256, 8, 0, false});
+    QVERIFY(atlas);
+    const QPoint at = atlas->places[0].center();
+    const auto files = [&](AtlasPacker packer) {
+      std::map<QString, QImage> images;
+      const auto made = atlasFiles(*atlas, {256, 8, 0, false, packer}, "a");
+      if (made) {
+        for (const NamedBytes& file : *made) {
+          if (file.name.endsWith(".png")) images[file.name] = QImage::fromData(file.bytes);
+        }
+      }
+      return images;
+    };
+    const int rough = qGray(atlas->maps.roughness.pixel(at)), open = qGray(atlas->maps.occlusion.pixel(at));
+    auto plain = files(AtlasPacker::Plain);
+    QCOMPARE(plain.size(), size_t(6));
+    auto gltf = files(AtlasPacker::Gltf);
+    const QRgb orm = gltf["a_orm.png"].pixel(at);
+    QCOMPARE(qRed(orm), open);
+    QCOMPARE(qGreen(orm), rough);
+    QCOMPARE(qBlue(orm), 0);
+    auto unity = files(AtlasPacker::Unity);
+    const QRgb mask = unity["a_mask.png"].pixel(at);
+    QCOMPARE(qAlpha(mask), 255 - rough);
+    QCOMPARE(qGreen(mask), open);
+    auto unreal = files(AtlasPacker::Unreal);
+    QCOMPARE(qGreen(unreal["a_normal.png"].pixel(at)), 255 - qGreen(gltf["a_normal.png"].pixel(at)));
+    const auto described = atlasFiles(*atlas, {256, 8, 0, false, AtlasPacker::Unity}, "a");
+    const QJsonObject json = QJsonDocument::fromJson(described->back().bytes).object();
+    QCOMPARE(json["packer"].toString(), "unity");
+    QCOMPARE(json["maps"].toObject()["metallicOcclusionDetailSmoothness"].toString(), "a_mask.png");
+    const QJsonArray meshes = json["leaves"].toArray()[0].toObject()["meshes"].toArray();
+    QCOMPARE(meshes.size(), 4);
+    QVERIFY(meshes[0].toObject()["indices"].toArray().size() > 100);
+    for (const QJsonValue& uv : meshes[0].toObject()["uvs"].toArray()) {
+      QVERIFY(uv.toDouble() >= 0 && uv.toDouble() <= 1);
+    }
+  }
+
+  void filesAreWrittenAllOrNone() {
+    QTemporaryDir folder;
+    const QString place = folder.filePath("out");
+    QVERIFY(writeTogether(place, {{"a.png", "one"}, {"a_orm.png", "x"}}));
+    // One of the new ones cannot be written: none is, and the old ones stay.
+    QVERIFY(QDir(place).mkdir("b"));
+    const Status status = writeTogether(place, {{"a.png", "two"}, {"b", "three"}});
+    QVERIFY(!status);
+    QCOMPARE(QString::fromStdString(status.error().message), "b: is a folder");
+    QFile kept(place + "/a.png");
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    QCOMPARE(kept.readAll(), QByteArray("one"));
+    QCOMPARE(QDir(place).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 3);
+    QVERIFY(writeTogether(place, {{"a.png", "two"}}, {"a_orm.png"}));
+    QVERIFY(!QFile::exists(place + "/a_orm.png"));
+    QFile file(folder.filePath("file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QVERIFY(!writeTogether(folder.filePath("file"), {{"a", "b"}}));
   }
 
   void describesEveryLeaf() {

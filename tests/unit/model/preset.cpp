@@ -31,10 +31,11 @@ void PresetTest::builtInOnesAreThereAndSound() {
   for (const QString domain : {"wind", "leaf", "grower"}) {
     for (const Preset& preset : library.of(domain)) names << domain + "/" + preset.name;
   }
-  QCOMPARE(names, (QStringList{"wind/Calm", "wind/Light breeze", "wind/Gentle breeze", "wind/Moderate breeze",
-                               "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale", "wind/Gale",
-                               "wind/Strong gale", "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch", "leaf/Maple", "leaf/Ginkgo", "leaf/Beech",
-                               "grower/Young tree", "grower/Broad tree", "grower/Slender tree"}));
+  QCOMPARE(names,
+           (QStringList{"wind/Calm", "wind/Light breeze", "wind/Gentle breeze", "wind/Moderate breeze",
+                        "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale", "wind/Gale", "wind/Strong gale",
+                        "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch", "leaf/Maple", "leaf/Ginkgo", "leaf/Beech",
+                        "grower/Young tree", "grower/Broad tree", "grower/Slender tree"}));
 }
 
 void PresetTest::applyingChangesOnlyWhatThePresetNames() {
@@ -167,7 +168,7 @@ void PresetTest::sharedFilesAreImportedOrRefusedInOneLine() {
     const QString path = folder.filePath("bad.json");
     if (!writeDurably(path, text)) return false;
     const Result<Preset> result = library.import(path, "leaf");
-    return !result && QString::fromStdString(result.error().message) == QLatin1String(why);
+    return !result && QString::fromStdString(result.error().message) == QString::fromUtf8(why);
   };
   QVERIFY(refused("hello", "illegal value"));
   QVERIFY(refused(R"({"version": 1, "domain": "wind", "name": "x", "values": {}})",

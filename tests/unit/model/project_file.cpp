@@ -134,8 +134,8 @@ void ProjectFileTest::sourcesStandBesideAsTheyWere() {
   const QImage mask = QImage::fromData(*archive->read("leaves/3/mask.png", 1 << 20, progress), "png");
   QCOMPARE(mask, project.leaves[0].mask);
   const QJsonObject json = QJsonDocument::fromJson(*archive->read("project.json", 1 << 20, progress)).object();
-  QCOMPARE(json.keys(), (QStringList{"leaves", "nextId", "plants", "scene", "schema", "simulation", "view"}));
-  for (const QString domain : {"leaves", "plants", "scene", "simulation", "view"}) {
+  QCOMPARE(json.keys(), (QStringList{"atlas", "leaves", "nextId", "plants", "scene", "schema", "simulation", "view"}));
+  for (const QString domain : {"atlas", "leaves", "plants", "scene", "simulation", "view"}) {
     QCOMPARE(json[domain]["version"].toInt(), 1);
   }
 }
