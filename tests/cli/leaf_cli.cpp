@@ -103,7 +103,6 @@ class LeafCliTest : public QObject {
     QCOMPARE(root[0].toDouble(), 130.0);
   }
 
-<<<<<<< HEAD
   void veinsDrawnElsewhereAreTaken() {
     QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("drawn"), "--veins", at("lines.png"), "--ruler",
                           "0,0,100,0,0.05", "--variants", "0", "--size", "128"})
@@ -124,7 +123,8 @@ class LeafCliTest : public QObject {
                  .status,
              0);
     QVERIFY(!QImage(at("bare/variant_000.png")).isNull());
-=======
+  }
+
   void presetsAndAgeChangeTheTextures() {
     const QStringList base{"leaf", at("leaf.png"), "--variants", "1", "--size", "160"};
     QCOMPARE(windfallRun(base + QStringList{"-o", at("fresh"), "--preset", "Birch"}).status, 0);
@@ -134,7 +134,6 @@ class LeafCliTest : public QObject {
     const QPoint middle(fresh.width() / 2, fresh.height() / 2);
     QVERIFY(qAlpha(fresh.pixel(middle)) == 255 && fresh.pixel(middle) != old.pixel(middle));
     QVERIFY(qRed(old.pixel(middle)) > qGreen(old.pixel(middle)));
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   }
 
   void packsAFolderOfVariants() {

@@ -13,12 +13,15 @@ using model::LeafParameters;
 LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
     : FieldPanel(QStringLiteral("leaf"), parent), document_(document) {
   addSource();
+  addSpecies();
   addContour();
   addShape();
   addVeins();
   addDistance();
   addRegions();
   addSynthesis();
+  addMaps();
+  addAgeing();
   connect(&document_, &model::Document::changed, this, [this](const model::Change& change) {
     if (change.aspect == Aspect::Everything || change.asset == leaf_) refresh();
   });

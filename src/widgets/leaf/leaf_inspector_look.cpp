@@ -115,40 +115,44 @@ void LeafInspector::addMaps() {
                                         0));
   mapKind_->setToolTip(tr("Which map the stage Maps shows"));
   connect(mapKind_, &ChoiceField::edited, this, [this](int index) { emit mapChosen(index); });
-  const auto row = [&](const QString& label, double model::MapParameters::*member, double most, const QString& tip) {
+  const auto row = [&](const char* id, const QString& label, double model::MapParameters::*member, double most,
+                       const QString& tip) {
     number(
-        group, label, {.minimum = 0, .maximum = most, .defaultValue = fresh.*member},
+        group, id, label, {.minimum = 0, .maximum = most, .defaultValue = fresh.*member},
         [member](const LeafParameters& p) { return p.maps.*member; },
         [member](LeafParameters& p, double v) { p.maps.*member = v; })
         ->setToolTip(tip);
   };
-  row(tr("Relief"), &model::MapParameters::relief, 3, tr("Strength of the normal map; glossy leaves have about half"));
-  row(tr("Gloss"), &model::MapParameters::gloss, 1, tr("From dull to waxy"));
-  row(tr("Fine detail"), &model::MapParameters::detail, 2,
+  row("maps.relief", tr("Relief"), &model::MapParameters::relief, 3,
+      tr("Strength of the normal map; glossy leaves have about half"));
+  row("maps.gloss", tr("Gloss"), &model::MapParameters::gloss, 1, tr("From dull to waxy"));
+  row("maps.detail", tr("Fine detail"), &model::MapParameters::detail, 2,
       tr("How much of the picture's own light and dark becomes relief"));
-  row(tr("Thickness"), &model::MapParameters::thickness, 3, tr("Thick leaves let less light through"));
+  row("maps.thickness", tr("Thickness"), &model::MapParameters::thickness, 3,
+      tr("Thick leaves let less light through"));
 }
 
 void LeafInspector::addAgeing() {
   const model::AgeingParameters fresh;
   FieldGroup* group = addGroup(QStringLiteral("ageing"), tr("Ageing"));
-  const auto row = [&](const QString& label, double model::AgeingParameters::*member, double low, double most,
-                       const QString& unit, const QString& tip) {
+  const auto row = [&](const char* id, const QString& label, double model::AgeingParameters::*member, double low,
+                       double most, const QString& unit, const QString& tip) {
     NumberField* field = number(
-        group, label, {.minimum = low, .maximum = most, .defaultValue = fresh.*member, .unit = unit},
+        group, id, label, {.minimum = low, .maximum = most, .defaultValue = fresh.*member, .unit = unit},
         [member](const LeafParameters& p) { return p.ageing.*member; },
         [member](LeafParameters& p, double v) { p.ageing.*member = v; });
     field->setToolTip(tip);
     return field;
   };
-  age_ = row(tr("Age"), &model::AgeingParameters::age, 0, 1, {},
+  age_ = row("ageing.age", tr("Age"), &model::AgeingParameters::age, 0, 1, {},
              tr("From the leaf as photographed over yellow and red to brown and dry; veins keep their green longest"));
-  row(tr("Redness"), &model::AgeingParameters::redness, 0, 1, {},
+  row("ageing.redness", tr("Redness"), &model::AgeingParameters::redness, 0, 1, {},
       tr("From species that turn yellow to those that turn red"));
-  row(tr("Warmth"), &model::AgeingParameters::warmth, 0, 1, {}, tr("Of the yellow: from lemon to copper"));
-  row(tr("Temperature"), &model::AgeingParameters::temperature, -10, 30, QStringLiteral("°C"),
+  row("ageing.warmth", tr("Warmth"), &model::AgeingParameters::warmth, 0, 1, {},
+      tr("Of the yellow: from lemon to copper"));
+  row("ageing.temperature", tr("Temperature"), &model::AgeingParameters::temperature, -10, 30, QStringLiteral("°C"),
       tr("Of the autumn's days; cold leaves turn sooner. In the scene"));
-  row(tr("Wetness"), &model::AgeingParameters::wetness, 0, 1, {},
+  row("ageing.wetness", tr("Wetness"), &model::AgeingParameters::wetness, 0, 1, {},
       tr("Dry air browns and curls leaves; wet ones stay flat"));
 }
 

@@ -10,22 +10,16 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-<<<<<<< HEAD
 #include "model/leaf/mask_edit.h"
-=======
 #include "widgets/fields/choice_field.h"
 #include "widgets/leaf/atlas_panel.h"
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
 #include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_jobs.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
-<<<<<<< HEAD
-#include "widgets/leaf/region_match_view.h"
-=======
 #include "widgets/leaf/maps_view.h"
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
+#include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/variant_strip.h"
 #include "widgets/look/empty_state.h"
@@ -140,7 +134,6 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
                                stack_);
   connect(empty->addButton(tr("Open a leaf photo…"), {}, true), &QPushButton::clicked, this, &LeafWorkspace::add);
   pane_ = new ImagePane(stack_);
-<<<<<<< HEAD
   match_ = new RegionMatchView(context_.document, context_.jobs, *pictures_, stack_);
   auto* sideBySide = new QSplitter(Qt::Horizontal, stack_);
   sideBySide->setChildrenCollapsible(false);
@@ -151,13 +144,9 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
   match_->hide();
   stack_->addWidget(empty);
   stack_->addWidget(sideBySide);
-=======
   atlas_ = new AtlasPanel(context_.document, context_.jobs, stack_);
   connect(atlas_, &AtlasPanel::exportRequested, this, &LeafWorkspace::exportResult);
-  stack_->addWidget(empty);
-  stack_->addWidget(pane_);
   stack_->addWidget(atlas_);
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   column->addWidget(stageBar_);
   column->addWidget(stack_, 1);
   canvas_->setFocusProxy(pane_);
@@ -270,18 +259,13 @@ void LeafWorkspace::show(AssetId id) {
 
 void LeafWorkspace::setStage(Stage stage) {
   stageBar_->setStage(stage);
-<<<<<<< HEAD
   // Regions are matched on their own stage alone.
   if (match_->isActive() && stage != Stage::Regions) toolBox_->choose(QStringLiteral("hand"));
-  variantsShown_ = stage == Stage::Variants;
-  pictures_->want(stage);
-=======
   stage_ = stage;
   variantsShown_ = stage >= Stage::Variants;
   pictures_->want(std::min(stage, Stage::Variants));
   const bool any = bool(context_.document.project().leaf(leaf()));
   stack_->setCurrentIndex(!any ? 0 : stage == Stage::Atlas ? 2 : 1);
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   updatePicture();
 }
 
@@ -363,12 +347,8 @@ void LeafWorkspace::exportResult(bool elsewhere) {
 
 QJsonObject LeafWorkspace::saveView() const {
   QJsonObject view{{QStringLiteral("leaf"), QString::number(leaf().value)},
-<<<<<<< HEAD
-                   {QStringLiteral("stage"), int(variantsShown_ ? Stage::Variants : pictures_->wanted())},
-                   {QStringLiteral("field"), int(stageBar_->field())},
-=======
                    {QStringLiteral("stage"), int(variantsShown_ ? stage_ : pictures_->wanted())},
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
+                   {QStringLiteral("field"), int(stageBar_->field())},
                    {QStringLiteral("opacity"), stageBar_->opacity()}};
   if (!pane_->isFitted()) {
     view[QStringLiteral("zoom")] = pane_->zoom();
@@ -394,11 +374,8 @@ void LeafWorkspace::restoreView(const QJsonObject& view) {
 
 bool LeafWorkspace::isSettled() const {
   if (!pictures_->leaf()) return true;
-<<<<<<< HEAD
+  if (maps_->isComputing() || atlas_->isComputing()) return false;
   return !pictures_->isComputing() && !match_->isComputing() && !pane_->base().isNull();
-=======
-  return !pictures_->isComputing() && !pane_->base().isNull() && !maps_->isComputing() && !atlas_->isComputing();
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
 }
 
 }  // namespace windfall::widgets

@@ -48,11 +48,8 @@ class LeafWorkspace : public Workspace {
   LeafPictures& pictures() { return *pictures_; }
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
-<<<<<<< HEAD
   RegionMatchView& regionMatch() { return *match_; }
-=======
   AtlasPanel& atlas() { return *atlas_; }
->>>>>>> 644ce44 (Maps, ageing and atlas in the leaf workspace; species presets saved, shared, imported)
   LeafInspector& numbers() { return *inspector_; }
 
  private:
