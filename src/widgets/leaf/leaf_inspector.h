@@ -30,6 +30,13 @@ class LeafInspector : public FieldPanel {
   void setPhotoSize(QSize size);
   SeedField* seed() const { return seed_; }
   NumberField* laterals() const { return laterals_; }
+  /// The number with this id of the project file ("veins.microSpacing"), null: there is none.
+  NumberField* number(const QString& id) const { return numbers_.value(id); }
+  CheckField* check(const QString& id) const { return checks_.value(id); }
+  NumberField* rulerLength() const { return rulerLength_; }
+  NumberField* bladeLength() const { return bladeLength_; }
+  /// What the stages found, for the rows that only tell: vertices, real size, veins.
+  void showFound(const model::LeafStages* stages);
   PresetField* species() const { return species_; }
   ChoiceField* mapKind() const { return mapKind_; }
   NumberField* age() const { return age_; }
@@ -39,21 +46,14 @@ class LeafInspector : public FieldPanel {
   void importPreset(const QString& path);
   /// Writes the leaf's numbers as a preset file.
   void sharePreset(QString path);
-  /// The number with this id of the project file ("veins.microSpacing"), null: there is none.
-  NumberField* number(const QString& id) const { return numbers_.value(id); }
-  CheckField* check(const QString& id) const { return checks_.value(id); }
-  NumberField* rulerLength() const { return rulerLength_; }
-  NumberField* bladeLength() const { return bladeLength_; }
-  /// What the stages found, for the rows that only tell: vertices, real size, veins.
-  void showFound(const model::LeafStages* stages);
 
  signals:
   void openPhotoRequested();
   void replacePhotoRequested();
+  void loadVeinsRequested();
   /// Index of model::MapKind.
   void mapChosen(int kind);
   void message(const QString& text, bool isError);
-  void loadVeinsRequested();
 
  private:
   void addSource();

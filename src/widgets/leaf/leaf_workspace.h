@@ -48,6 +48,7 @@ class LeafWorkspace : public Workspace {
   LeafPictures& pictures() { return *pictures_; }
   LeafToolBox& toolBox() { return *toolBox_; }
   VariantStrip& variants() { return *strip_; }
+  RegionMatchView& regionMatch() { return *match_; }
   AtlasPanel& atlas() { return *atlas_; }
   RegionMatchView& regionMatch() { return *match_; }
   LeafInspector& numbers() { return *inspector_; }
