@@ -1,3 +1,5 @@
+#include <sys/resource.h>
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
@@ -20,7 +22,7 @@ namespace windfall::app {
 namespace {
 
 struct BenchOptions {
-  std::string filter, json, photos;
+  std::string filter, json, photos, method;
   int rounds = 7, pairs = 6;
 };
 
@@ -85,6 +87,11 @@ int bench(const BenchOptions& options) {
     std::printf("%s\n", sim::benchmarkTable(results.back()).c_str());
     std::fflush(stdout);
   }
+  // Linux counts kilobytes. What the benchmarks kept for themselves is part of it.
+  rusage usage{};
+  if (!results.empty() && getrusage(RUSAGE_SELF, &usage) == 0) {
+    std::printf("peak memory: %.0f MB\n\n", static_cast<double>(usage.ru_maxrss) / 1024);
+  }
   const std::string quality = "leaf.quality";
   std::vector<model::QualityRow> rows;
   bool any = !results.empty();
@@ -93,7 +100,7 @@ int bench(const BenchOptions& options) {
     InterruptProgress progress;
     const QString photos = options.photos.empty() ? qEnvironmentVariable("WINDFALL_PHOTOS") : text(options.photos);
     rows = model::benchQuality(
-        {photos, 4, options.pairs, 512},
+        {photos, options.method, 4, options.pairs, 512},
         [](const std::string& line) {
           std::printf("%s\n", line.c_str());
           std::fflush(stdout);
@@ -120,6 +127,7 @@ void declareBench(CLI::App& app, Action& action) {
   command->add_option("--json", options->json, "Write the results to this file too");
   command->add_option("--photos", options->photos,
                       "Folder of leaf photographs for leaf.quality (default: the environment's WINDFALL_PHOTOS)");
+  command->add_option("--method", options->method, "leaf.quality: only methods with this in their name");
   command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();

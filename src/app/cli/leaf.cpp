@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "model/export/compare_sheet.h"
 #include "model/export/leaf_folder.h"
 #include "model/leaf/marker_image.h"
 #include "model/leaf/stages.h"
@@ -24,6 +25,7 @@ struct LeafOptions {
   int variants = 2;
   int size = 1024;
   std::uint64_t seed = 1;
+  bool compare = false;
 };
 
 /// What went wrong, and in which of the files.
@@ -177,7 +179,13 @@ int makeLeaf(const LeafOptions& options) {
     folder.variants.push_back(std::move(variant->image));
     folder.variantSeconds.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
   }
-  model::ProgressPart writing(progress, 0.9, 1);
+  if (options.compare) {
+    model::ProgressPart comparing(progress, 0.9, 0.95);
+    Result<QImage> sheet = model::compareMethods(*stages, examples, leaf.parameters.synthesis, options.seed, comparing);
+    if (!sheet) return fail(photo, sheet.error());
+    folder.compare = std::move(*sheet);
+  }
+  model::ProgressPart writing(progress, 0.95, 1);
   const Status written = model::writeLeafFolder(folder, text(options.output), writing);
   return written ? 0 : fail(text(options.output), written.error());
 }
@@ -216,6 +224,8 @@ void declareLeaf(CLI::App& app, Action& action) {
       ->check(CLI::Range(64, 4096))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of veins and textures")->capture_default_str();
+  command->add_flag("--compare", options->compare,
+                    "Write compare.png too: the photograph, and three seeds of either mode beside it");
   command->callback([options, &action] { action = [options] { return makeLeaf(*options); }; });
 }
 

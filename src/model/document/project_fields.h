@@ -81,6 +81,10 @@ void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
   io.flag("guided", synthesis.guided);
   io.number("superpixels", synthesis.superpixels, 1, 1e6);
   io.number("candidates", synthesis.candidates, 1, 10'000);
+  io.number("levels", synthesis.levels, 1, 5);
+  io.number("choices", synthesis.choices, 1, 10'000);
+  io.flag("detail", synthesis.detail);
+  io.number("guideWeight", synthesis.guideWeight, 0, 1e6);
   io.number("smoothing", synthesis.smoothing, 0, 1e6);
 }
 

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "model/leaf/superpixel_pyramid.h"
 #include "model/leaf/vein_growth.h"
 
 namespace windfall::model {
@@ -17,6 +18,7 @@ namespace windfall::model {
 namespace {
 
 constexpr qint64 kMostJson = 64 << 20;  // bytes
+constexpr int kLevels = 5;              // of superpixels
 
 /// Hundredths of a pixel are more than a photo knows.
 double rounded(double value) { return std::round(value * 100) / 100; }
@@ -124,10 +126,18 @@ Status writeAll(const LeafFolder& leaf, const QDir& folder, Progress& progress) 
   for (const auto& [stage, name] : looks) {
     const QImage picture = stagePicture(stages, stage);
     if (stage == Stage::Regions) images.emplace_back("regions.png", picture);
-    if (stage == Stage::Superpixels) images.emplace_back("superpixels_1.png", picture);
+    if (stage == Stage::Superpixels) {
+      // The thesis's five levels, from coarse to fine.
+      LeafStages level = stages;
+      for (int n = 0; n < kLevels; ++n) {
+        level.grown.superpixels = superpixelLevel(stages.grown, n, kLevels);
+        images.emplace_back(QStringLiteral("superpixels_%1.png").arg(n + 1), stagePicture(level, stage));
+      }
+    }
     images.emplace_back(QStringLiteral("look_%1.jpg").arg(QString::fromLatin1(name)), over(stages.photo, picture));
   }
   for (size_t i = 0; i < leaf.variants.size(); ++i) images.emplace_back(variantName(i), leaf.variants[i]);
+  if (!leaf.compare.isNull()) images.emplace_back("compare.png", leaf.compare);
   for (size_t i = 0; i < images.size(); ++i) {
     if (progress.cancelled()) return Error{"cancelled", true};
     if (Status s = write(folder, images[i].first, images[i].second); !s) return s;

@@ -18,11 +18,13 @@ struct LeafFolder {
   std::vector<quint64> seeds;          ///< of the variants
   std::vector<QImage> variants;
   std::vector<double> variantSeconds;
+  QImage compare;  ///< compare.png; null: none
 };
 
-/// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png,
-/// variant_000.png and on, timings.json, and look_*.jpg, the stages laid over the photo. All is made in a folder beside
-/// `path` and put in place when it is whole; variants of an earlier run go. `path` is made where it is missing.
+/// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png to
+/// superpixels_5.png from coarse to fine, variant_000.png and on, compare.png, timings.json, and look_*.jpg, the stages
+/// laid over the photo. All is made in a folder beside `path` and put in place when it is whole; variants of an earlier
+/// run go. `path` is made where it is missing.
 Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& progress);
 
 /// The variants of such a folder, turned upright.

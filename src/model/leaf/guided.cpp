@@ -14,8 +14,10 @@ namespace windfall::model {
 namespace {
 
 constexpr int kRadius = 2, kPatch = 25, kAngles = 64, kBands = 16;
-constexpr float kGuideWeight = 1000.f * kPatch;
 constexpr float kFar = 1e30f;
+/// Falloff of the votes with the squared distance from a patch's middle: wide while patches still move, at last so
+/// narrow that the example's own sharpness is left.
+constexpr float kWide = 0.15f, kSharp = 4.f;
 constexpr int kFineReach = 32;  ///< px: how far finer levels search
 
 /// Four floats that one instruction adds or multiplies.
@@ -73,10 +75,11 @@ class Offsets {
 
 class Level {
  public:
-  Level(GuidedLevel& level, quint64 seed, std::uint32_t number)
+  Level(GuidedLevel& level, double guideWeight, quint64 seed, std::uint32_t number)
       : target_(level.target),
         example_(level.example),
         offsets_(level.example.stride),
+        guideWeight_(static_cast<float>(guideWeight) * kPatch),
         seed_(seed),
         number_(number),
         field_(target_.leaf.size()),
@@ -264,7 +267,7 @@ class Level {
     if (!example_.leaf[e]) return kFar;
     const PatchGuide &g = target_.guides[t], &h = example_.guides[e];
     const float d0 = g.distance - h.distance, d1 = g.vein - h.vein, d2 = g.margin - h.margin, d3 = g.line - h.line;
-    float sum = kGuideWeight * (d0 * d0 + d1 * d1 + d2 * d2 + d3 * d3);
+    float sum = guideWeight_ * (d0 * d0 + d1 * d1 + d2 * d2 + d3 * d3);
     if (sum >= limit) return sum;
     const std::array<int, kPatch>& steps = offsets_.steps(turnOf(x, y, ex, ey));
     const PatchPixel* from = &example_.pixels[example_.padded(ex, ey)];
@@ -371,6 +374,7 @@ class Level {
   PatchImage& target_;
   const PatchImage& example_;
   Offsets offsets_;
+  float guideWeight_;
   quint64 seed_;
   std::uint32_t number_;
   std::vector<Match> field_;
@@ -380,23 +384,23 @@ class Level {
 
 }  // namespace
 
-std::vector<float> synthesizeGuided(std::vector<GuidedLevel> levels, const std::vector<int>& match, quint64 seed,
-                                    Progress& progress) {
+std::vector<float> synthesizeGuided(std::vector<GuidedLevel> levels, const std::vector<int>& match, double guideWeight,
+                                    quint64 seed, Progress& progress) {
   std::unique_ptr<Level> coarser;
   for (size_t n = 0; n < levels.size(); ++n) {
-    auto level = std::make_unique<Level>(levels[n], seed, static_cast<std::uint32_t>(n));
+    auto level = std::make_unique<Level>(levels[n], guideWeight, seed, static_cast<std::uint32_t>(n));
     if (coarser) {
       level->startFromCoarser(*coarser);
     } else {
       level->startFromRegions(match);
     }
-    level->vote(0.15f);
+    level->vote(kWide);
     const int rounds = n == 0 ? 4 : n == 1 ? 3 : 2;
     for (int round = 0; round < rounds; ++round) {
       if (progress.cancelled()) return {};
       level->search(static_cast<std::uint32_t>(round));
       const bool last = n + 1 == levels.size() && round + 1 == rounds;
-      level->vote(last ? 1.2f : 0.15f);
+      level->vote(last ? kSharp : kWide);
     }
     progress.report(static_cast<double>(n + 1) / static_cast<double>(levels.size()));
     coarser = std::move(level);

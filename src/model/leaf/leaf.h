@@ -71,10 +71,14 @@ struct DistanceCosts {
 /// superpixels matched by region and distance, smoothed, with a layer of detail (6 to 9a).
 struct SynthesisParameters {
   bool guided = true;
-  int size = 1024;         ///< long side of the result, px
-  int superpixels = 4096;  ///< wanted on the blade
-  int candidates = 8;      ///< N: nearest in structural and vein distance, one is drawn
-  double smoothing = 1.0;  ///< w1
+  int size = 1024;            ///< long side of the result, px
+  double guideWeight = 1000;  ///< guided: how much the place in the leaf counts beside the colours of patches
+  int superpixels = 16384;    ///< wanted on the blade at the finest level
+  int levels = 3;             ///< of superpixels, each a few times as many as the one before; 1..5
+  int candidates = 8;         ///< N: nearest in structural and vein distance
+  int choices = 2;            ///< M: drawn from them; the one whose colour is nearest to the coarser level's is taken
+  double smoothing = 1.0;     ///< w1
+  bool detail = true;         ///< the example's fine detail on top
   bool operator==(const SynthesisParameters&) const = default;
 };
 

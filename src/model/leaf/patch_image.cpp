@@ -9,7 +9,9 @@ namespace windfall::model {
 
 namespace {
 
-constexpr float kOffLeaf = 24.5f;  ///< squared: the cost of a pixel where a patch reaches off the leaf
+/// What lies beside a vein lies at a like distance in pixels, however wide apart the veins are.
+constexpr float kHalo = 0.6f, kHaloReach = 5;  // px at 512
+constexpr float kOffLeaf = 24.5f;              ///< squared: the cost of a pixel where a patch reaches off the leaf
 
 cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::Size full, cv::Size size,
                  const cv::Mat1f& small) {
@@ -46,7 +48,14 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
       lines(y, x) = weight(y, x) > 0 && structure.veinDistance.values[i] <= 0 ? 1.f : 0.f;
     }
   }
-  cv::GaussianBlur(lines, lines, {}, 1.2 * std::max(full.width, full.height) / 512.0);
+  const double unit = std::max(full.width, full.height) / 512.0;
+  cv::GaussianBlur(lines, lines, {}, 1.2 * unit);
+  for (int y = 0; y < full.height; ++y) {
+    for (int x = 0; x < full.width; ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
+      lines(y, x) = lines(y, x) + kHalo * std::exp(-frame.reach[i] / (kHaloReach * static_cast<float>(unit)));
+    }
+  }
   cv::resize(lines, line, size, 0, 0, cv::INTER_AREA);
   cv::Mat3f colours = cv::Mat3f::zeros(size);
   if (lab) {

@@ -140,6 +140,7 @@ class Bench {
       say_(qualityLine(rows_.back()));
     };
     for (const Method& method : methods(withBaselines)) {
+      if (method.name.find(options_.method) == std::string::npos) continue;
       collect(method.name, [&](quint64 seed) {
         const Result<QImage> made = synthesize(*target, *example, method.parameters, seed, progress_);
         if (!made && !made.error().cancelled)
@@ -149,6 +150,7 @@ class Bench {
     }
     if (!withBaselines) return;
     for (const Baseline& baseline : naiveBaselines()) {
+      if (baseline.name.find(options_.method) == std::string::npos) continue;
       collect(baseline.name, [&](quint64 seed) {
         RandomSequence random(seed, 211);
         const std::vector<int> match = matchRegions(target->grown, example->seen, random);
@@ -158,11 +160,25 @@ class Bench {
   }
 
   static std::vector<Method> methods(bool withBaselines) {
-    std::vector<Method> methods(2);
-    methods[0].name = "guided";
-    methods[1].name = "classic with detail";
-    methods[1].parameters.guided = false;
+    const auto classic = [](std::string name, int levels, int candidates, int choices, bool detail) {
+      Method method{std::move(name), {}};
+      method.parameters.guided = false;
+      method.parameters.levels = levels;
+      method.parameters.candidates = candidates;
+      method.parameters.choices = choices;
+      method.parameters.detail = detail;
+      return method;
+    };
+    const SynthesisParameters ours;
+    std::vector<Method> methods{{"guided", ours}};
+    methods.push_back(classic("classic with detail", ours.levels, ours.candidates, ours.choices, true));
     if (!withBaselines) return methods;
+    methods.push_back(classic("classic", ours.levels, ours.candidates, ours.choices, false));
+    methods.push_back(classic("classic with detail, N 16 M 6", 5, 16, 6, true));
+    methods.push_back(classic("thesis: N 16 M 6, 5 levels", 5, 16, 6, false));
+    methods.push_back(classic("coarsest superpixels only", 1, 8, 1, false));
+    methods.push_back({"guided, without guides", ours});
+    methods.back().parameters.guideWeight = 0;
     return methods;
   }
 

@@ -12,7 +12,8 @@
 namespace windfall::model {
 
 struct QualityBenchOptions {
-  QString photos;  ///< folder with photographs of leaves
+  QString photos;      ///< folder with photographs of leaves
+  std::string method;  ///< only those with this in their name
   int seeds = 4;
   int pairs = 6;   ///< besides the two named ones
   int size = 512;  ///< long side, px

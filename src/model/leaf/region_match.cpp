@@ -58,18 +58,31 @@ double thesisSimilarity(const RegionShape& a, const RegionShape& b) {
 std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
                               const RegionParameters& parameters) {
   const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  std::vector<int> match(targets.size(), 0);
+  if (examples.empty()) return match;
+  // A region that lends its lesions more than twice is seen to repeat; few regions have to lend more often.
+  const auto most = static_cast<int>(std::max<size_t>(2, (targets.size() + examples.size() - 1) / examples.size() + 1));
+  std::vector<int> used(examples.size(), 0);
+  // By chance who chooses first.
+  std::vector<size_t> turns(targets.size());
+  std::iota(turns.begin(), turns.end(), size_t{0});
+  for (size_t i = turns.size(); i > 1; --i) std::swap(turns[i - 1], turns[random.below(static_cast<std::uint32_t>(i))]);
   const auto alike = parameters.scaleFree ? similarity : thesisSimilarity;
-  std::vector<int> match;
-  for (const RegionShape& shape : targets) {
-    std::vector<int> order(examples.size());
-    std::iota(order.begin(), order.end(), 0);
+  const auto share = static_cast<size_t>(std::ceil(parameters.best * static_cast<double>(examples.size()) - 1e-9));
+  const size_t best = std::min(examples.size(), std::max<size_t>(3, share));
+  for (const size_t turn : turns) {
+    std::vector<int> order;
     std::vector<double> score;
-    for (const RegionShape& other : examples) score.push_back(alike(shape, other));
+    for (size_t e = 0; e < examples.size(); ++e) {
+      score.push_back(alike(targets[turn], examples[e]));
+      if (used[e] < most) order.push_back(static_cast<int>(e));
+    }
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return score[static_cast<size_t>(a)] > score[static_cast<size_t>(b)]; });
-    const auto share = static_cast<size_t>(std::ceil(parameters.best * static_cast<double>(order.size()) - 1e-9));
-    const size_t best = std::min(order.size(), std::max<size_t>(3, share));
-    match.push_back(best == 0 ? 0 : order[random.below(static_cast<std::uint32_t>(best))] + 1);
+    const auto choice = static_cast<std::uint32_t>(std::min(best, order.size()));
+    const int chosen = order[random.below(choice)];
+    ++used[static_cast<size_t>(chosen)];
+    match[turn] = chosen + 1;
   }
   return match;
 }

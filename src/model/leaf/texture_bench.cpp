@@ -5,7 +5,12 @@
 #include <QBuffer>
 #include <memory>
 
+#include "kernels/random.h"
+#include "model/leaf/smoothing.h"
 #include "model/leaf/stages.h"
+#include "model/leaf/superpixels.h"
+#include "model/leaf/thesis_stages.h"
+#include "model/leaf/working_colours.h"
 #include "model/sample/leaf_painter.h"
 
 namespace windfall::model {
@@ -24,26 +29,80 @@ Leaf benchLeaf() {
   return leaf;
 }
 
-std::vector<sim::Contender> textures() {
+SynthesisParameters settings(bool guided, bool detail) {
+  SynthesisParameters parameters;
+  parameters.guided = guided;
+  parameters.detail = detail;
+  return parameters;
+}
+
+void complain(const Error& error) { qWarning("%s", error.message.c_str()); }
+
+/// Another seed for a leaf that is known.
+std::vector<sim::Contender> variants() {
   Progress progress;
   Result<LeafStages> computed = computeStages(benchLeaf(), Stage::Superpixels, progress);
   if (!computed) return {};
   const auto stages = std::make_shared<const LeafStages>(std::move(*computed));
-  const auto make = [stages](bool guided, int threads) {
-    return [stages, guided, threads] {
+  const auto make = [stages](bool guided, bool detail, int threads) {
+    return [stages, guided, detail, threads] {
       const int before = omp_get_max_threads();
       if (threads > 0) omp_set_num_threads(threads);
-      SynthesisParameters parameters;
-      parameters.guided = guided;
       Progress unwatched;
-      const Result<QImage> made = synthesize(*stages, *stages, parameters, 1, unwatched);
+      const Result<QImage> made = synthesize(*stages, *stages, settings(guided, detail), 1, unwatched);
       omp_set_num_threads(before);
-      if (!made) qWarning("%s", made.error().message.c_str());
+      if (!made) complain(made.error());
     };
   };
-  return {{"guided", make(true, 0)},
-          {"guided, 1 thread", make(true, 1)},
-          {"classic (thesis, with detail)", make(false, 0)}};
+  return {{"guided", make(true, true, 0)},
+          {"guided, 1 thread", make(true, true, 1)},
+          {"classic", make(false, false, 0)},
+          {"classic with detail", make(false, true, 0)}};
+}
+
+/// The thesis's stages where ours differ: distances, five levels of SLIC each on its own, 100 sweeps; of both leaves.
+void thesisStages(const LeafStages& stages) {
+  const QSize size = stages.grown.distance.size;
+  for (const LeafStructure* structure : {&stages.grown, &stages.seen}) {
+    std::vector<Tissue> types(structure->regions.values.size(), Tissue::Outside);
+    for (size_t i = 0; i < types.size(); ++i) {
+      if (structure->regions.values[i] > 0) {
+        types[i] = structure->veinDistance.values[i] > 0 ? Tissue::Blade : Tissue::Vein;
+      }
+    }
+    const QPoint root = stages.toWorking(stages.root).toPoint();
+    labelCorrectingDistance(types, size, root, {});
+    for (const int count : {64, 256, 1024, 4096, 16384}) {
+      makeSuperpixels(structure->distance, structure->regions, count);
+    }
+  }
+  std::vector<float> colours = workingColours(stages);
+  std::vector<unsigned char> mask(stages.grown.regions.values.size());
+  for (size_t i = 0; i < mask.size(); ++i) mask[i] = stages.grown.regions.values[i] > 0;
+  smoothGaussSeidel(colours, mask, size, 4);
+}
+
+/// From the photo to the first variant.
+std::vector<sim::Contender> wholeLeaves() {
+  const auto leaf = std::make_shared<const Leaf>(benchLeaf());
+  const auto make = [leaf](bool guided, bool detail) {
+    return [leaf, guided, detail] {
+      Progress progress;
+      const Result<LeafStages> stages = computeStages(*leaf, Stage::Superpixels, progress);
+      if (!stages) return complain(stages.error());
+      const Result<QImage> made = synthesize(*stages, *stages, settings(guided, detail), 1, progress);
+      if (!made) complain(made.error());
+    };
+  };
+  Progress progress;
+  Result<LeafStages> computed = computeStages(*leaf, Stage::Superpixels, progress);
+  if (!computed) return {};
+  const auto stages = std::make_shared<const LeafStages>(std::move(*computed));
+  return {
+      {"guided, photo to variant", make(true, true)},
+      {"classic, photo to variant", make(false, false)},
+      {"classic with detail, photo to variant", make(false, true)},
+      {"only the thesis's distances, SLIC of 5 levels, 100 Gauss-Seidel sweeps", [stages] { thesisStages(*stages); }}};
 }
 
 std::vector<sim::Contender> stagesBefore() {
@@ -51,15 +110,53 @@ std::vector<sim::Contender> stagesBefore() {
   return {{"photo to superpixels", [leaf] {
              Progress progress;
              const Result<LeafStages> stages = computeStages(*leaf, Stage::Superpixels, progress);
-             if (!stages) qWarning("%s", stages.error().message.c_str());
+             if (!stages) complain(stages.error());
+           }}};
+}
+
+std::vector<sim::Contender> distances() {
+  Progress progress;
+  const Result<LeafStages> stages = computeStages(benchLeaf(), Stage::Regions, progress);
+  if (!stages) return {};
+  std::vector<Tissue> types(stages->grown.regions.values.size(), Tissue::Outside);
+  for (size_t i = 0; i < types.size(); ++i) {
+    if (stages->grown.regions.values[i] > 0) {
+      types[i] = stages->grown.veinDistance.values[i] > 0 ? Tissue::Blade : Tissue::Vein;
+    }
+  }
+  const auto shared = std::make_shared<const std::vector<Tissue>>(std::move(types));
+  const QSize size = stages->grown.distance.size;
+  const QPoint root = stages->toWorking(stages->root).toPoint();
+  return {{"bucket queue", [=] { structuralDistance(*shared, size, root, {}); }, 1},
+          {"thesis: label-correcting rounds", [=] { labelCorrectingDistance(*shared, size, root, {}); }, 1}};
+}
+
+std::vector<sim::Contender> smoothings() {
+  const QSize size(kSide, kSide);
+  const auto pixels = static_cast<size_t>(kSide) * kSide;
+  const auto start = std::make_shared<std::vector<float>>(3 * pixels);
+  for (size_t i = 0; i < start->size(); ++i) (*start)[i] = 100 * uniform(1, static_cast<std::uint32_t>(i));
+  const auto mask = std::make_shared<const std::vector<unsigned char>>(pixels, static_cast<unsigned char>(1));
+  return {{"red-black over-relaxation to 1e-5, w1 4",
+           [=] {
+             std::vector<float> values = *start;
+             smooth(values, *mask, size, 4, sweepsFor(4));
+           },
+           1},
+          {"thesis: 100 Gauss-Seidel sweeps", [=] {
+             std::vector<float> values = *start;
+             smoothGaussSeidel(values, *mask, size, 4);
            }}};
 }
 
 }  // namespace
 
 std::vector<sim::Benchmark> textureBenchmarks() {
-  return {{"textures", "Leaf textures of 1024 px", "s per texture", 1, textures},
-          {"leaf-stages", "From a photo of 1024 px to its superpixels", "s per photo", 1, stagesBefore}};
+  return {{"leaf.time.variant", "A further variant of 1024 px", "s", 1, variants},
+          {"leaf.time.whole", "A leaf of 1024 px from its photo", "s", 1, wholeLeaves},
+          {"leaf.time.stages", "From a photo of 1024 px to its superpixels", "s", 1, stagesBefore},
+          {"leaf.time.distance", "Structural distance of 1024 px", "ms", 1e3, distances},
+          {"leaf.time.smoothing", "Smoothing of 1024 x 1024 px, three channels", "ms", 1e3, smoothings}};
 }
 
 }  // namespace windfall::model

@@ -7,7 +7,8 @@
 
 namespace windfall::model {
 
-/// Textures of 1024 px of a painted leaf: guided beside the classic way of the thesis, and the stages before them.
+/// Leaves of 1024 px with the settings that leaf.quality scores: further variants, whole leaves from the photo, and
+/// single stages, beside the thesis's own way through them.
 std::vector<sim::Benchmark> textureBenchmarks();
 
 }  // namespace windfall::model

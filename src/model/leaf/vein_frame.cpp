@@ -89,6 +89,7 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   VeinFrame frame;
   frame.angle.resize(pixels);
   frame.side.resize(pixels);
+  frame.reach.resize(pixels);
   frame.margin.resize(pixels);
   const QPointF along = tip - root;
   for (size_t i = 0; i < pixels; ++i) {
@@ -96,6 +97,7 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
     const auto label = static_cast<size_t>(nearest(y, x));
     frame.angle[i] = label < angleOf.size() ? angleOf[label] : fallback;
     frame.side[i] = along.x() * (y - root.y()) - along.y() * (x - root.x()) >= 0 ? 1 : -1;
+    frame.reach[i] = toVein(y, x);
     frame.margin[i] = std::min(1.f, toMargin(y, x) / (0.5f * static_cast<float>(deepest)));
   }
   return frame;

@@ -12,6 +12,7 @@ namespace windfall::model {
 struct VeinFrame {
   std::vector<float> angle;       ///< direction of the nearest vein from root to tip, radians from +x, y down
   std::vector<signed char> side;  ///< +1 or -1: which side of the line from root to tip
+  std::vector<float> reach;       ///< distance to the nearest vein, px
   std::vector<float> margin;      ///< distance to the margin over half its largest, 0..1
 };
 

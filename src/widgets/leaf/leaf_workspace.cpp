@@ -18,6 +18,7 @@
 #include "widgets/leaf/leaf_tool_box.h"
 #include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
+#include "widgets/leaf/variant_scores.h"
 #include "widgets/leaf/variant_strip.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/icon.h"
@@ -43,6 +44,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
   buildCanvas(window);
   inspector_ = new LeafInspector(context.document, window);
   strip_ = new VariantStrip(context.document, window);
+  strip_->setScores(new VariantScores(context.document, context.jobs, strip_));
   toolBox_ = new LeafToolBox(context.document, context.jobs, *pictures_, *pane_, this);
 
   connect(toolBox_, &LeafToolBox::stageNeeded, this, &LeafWorkspace::setStage);

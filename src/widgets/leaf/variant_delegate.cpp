@@ -45,7 +45,7 @@ QPixmap thumbnail(const QImage& image, qreal ratio) {
 
 }  // namespace
 
-QRect VariantDelegate::heartOf(const QRect& item) { return {item.right() - 27, item.bottom() - 22, 20, 20}; }
+QRect VariantDelegate::heartOf(const QRect& item) { return {item.right() - 27, item.bottom() - 38, 20, 20}; }
 
 void VariantDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Colors& c = colors(option.palette);
@@ -75,6 +75,8 @@ void VariantDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   const QRect heart = heartOf(option.rect);
   painter->drawText(QRect(frame.left() + 2, heart.top(), 70, heart.height()), Qt::AlignLeft | Qt::AlignVCenter,
                     QString::number(index.data(kVariantSeed).toULongLong()));
+  painter->drawText(QRect(frame.left() + 2, heart.bottom() - 1, kPicture - 4, 16), Qt::AlignLeft | Qt::AlignVCenter,
+                    index.data(kVariantScore).toString());
   painter->drawPixmap(heart.adjusted(3, 3, -3, -3),
                       iconPixmap(keep ? QStringLiteral("heart-filled") : QStringLiteral("heart"), 14,
                                  keep ? c.accent : c.muted, painter->device()->devicePixelRatioF()));

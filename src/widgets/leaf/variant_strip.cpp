@@ -10,6 +10,7 @@
 
 #include "widgets/fields/number_field.h"
 #include "widgets/leaf/variant_delegate.h"
+#include "widgets/leaf/variant_scores.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 
@@ -60,7 +61,7 @@ VariantStrip::VariantStrip(model::Document& document, QWidget* parent)
   list_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setItemDelegate(new VariantDelegate(list_));
   list_->setMouseTracking(true);
-  list_->setMinimumHeight(136);
+  list_->setMinimumHeight(152);
   list_->viewport()->installEventFilter(this);
   row->addWidget(list_, 1);
   hint_->setProperty("hint", true);
@@ -103,6 +104,36 @@ void VariantStrip::setBusy(bool busy) {
   updateButton();
 }
 
+void VariantStrip::setScores(VariantScores* scores) {
+  scores_ = scores;
+  connect(scores_, &VariantScores::changed, this, &VariantStrip::showScores);
+  scores_->want(leaf_);
+  showScores();
+}
+
+void VariantStrip::showScores() {
+  const model::Leaf* leaf = document_.project().leaf(leaf_);
+  for (std::size_t i = 0; leaf && i < leaf->variants.size() && int(i) < list_->count(); ++i) {
+    const Variant& variant = leaf->variants[i];
+    QString tip = tr("Seed %1. The heart takes it into the atlas and onto the trees.").arg(variant.seed);
+    QString line;
+    if (const auto score = scores_ ? scores_->of(variant) : std::nullopt) {
+      line = tr("Q %1 · %2 · Δ %3")
+                 .arg(score->quality, 0, 'f', 0)
+                 .arg(score->copyIndex, 0, 'f', 1)
+                 .arg(score->diversity, 0, 'f', 0);
+      tip += QLatin1Char('\n') + tr("Quality %1 of 100: colour, texture, details and veins beside the photo's own")
+                                     .arg(score->quality, 0, 'f', 1);
+      tip += QLatin1Char('\n') + tr("Copy index %1: 0.9 and more is the photo itself").arg(score->copyIndex, 0, 'f', 2);
+      tip += QLatin1Char('\n') +
+             tr("Diversity ΔE %1: how unlike the variant before it is").arg(score->diversity, 0, 'f', 1);
+    }
+    QListWidgetItem* item = list_->item(int(i));
+    item->setData(kVariantScore, line);
+    item->setToolTip(tip);
+  }
+}
+
 void VariantStrip::updateButton() {
   make_->setText(busy_ ? tr("Making variants…") : tr("Make %n variants", nullptr, int(count_->value())));
   make_->setEnabled(!busy_ && document_.project().leaf(leaf_));
@@ -120,9 +151,10 @@ void VariantStrip::refresh() {
     item->setData(kVariantImage, variant.image);
     item->setData(kVariantKeep, variant.keep);
     item->setData(kVariantSeed, QVariant::fromValue(variant.seed));
-    item->setToolTip(tr("Seed %1. The heart takes it into the atlas and onto the trees.").arg(variant.seed));
     kept += variant.keep;
   }
+  if (scores_) scores_->want(leaf_);
+  showScores();
   if (list_->count() > 0) list_->setCurrentRow(std::clamp(row, 0, list_->count() - 1));
   list_->setVisible(list_->count() > 0);
   hint_->setVisible(list_->count() == 0);

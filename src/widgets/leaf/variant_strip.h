@@ -1,4 +1,4 @@
-// The gallery below the canvas: new textures with seed and heart.
+// The gallery below the canvas: new textures with seed, heart and scores.
 #pragma once
 
 #include <QWidget>
@@ -12,6 +12,7 @@ class QPushButton;
 namespace windfall::widgets {
 
 class NumberBox;
+class VariantScores;
 
 /// A click on the heart keeps or drops a variant for atlas and trees, Delete removes the chosen ones, a double click
 /// shows one large.
@@ -29,6 +30,8 @@ class VariantStrip : public QWidget {
   void toggleKeep(int index);
   void removeSelected();
   void setBusy(bool busy);
+  /// Shows these beside each variant and asks for those of the leaf shown; must live as long.
+  void setScores(VariantScores* scores);
 
  signals:
   void makeRequested(int count);
@@ -40,6 +43,7 @@ class VariantStrip : public QWidget {
 
  private:
   void refresh();
+  void showScores();
   void updateButton();
 
   model::Document& document_;
@@ -48,6 +52,7 @@ class VariantStrip : public QWidget {
   QPushButton* make_;
   NumberBox* count_;
   QLabel *hint_, *summary_;
+  VariantScores* scores_ = nullptr;
   bool busy_ = false;
 };
 
