@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "model/plant/bodies.h"
+#include "sim/self_buckling.h"
 
 namespace windfall::model {
 
@@ -25,6 +26,9 @@ PlantInfo describe(const PlantGeometry& geometry, const PlantBodies& bodies) {
   for (const sim::Link& link : bodies.tree.links) info.totalStemLength += static_cast<double>(link.length);
   info.mass = sim::totalMass(bodies.tree);
   info.firstFrequency = sim::firstFrequency(bodies.tree);
+  info.selfBuckling = sim::selfBuckling(bodies.tree);
+  for (const Clip& clip : geometry.clips) info.clips << clip.name;
+  info.notes = geometry.notes;
   if (!geometry.vertices.empty()) {
     info.lower = vec3(std::numeric_limits<float>::max());
     info.upper = -info.lower;

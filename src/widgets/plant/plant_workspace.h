@@ -3,7 +3,9 @@
 
 #include <QPointer>
 
+#include "widgets/plant/box_tool.h"
 #include "widgets/plant/branch_panel.h"
+#include "widgets/plant/pull_tool.h"
 #include "widgets/scene/scene_feed.h"
 #include "widgets/scene/simulation_controller.h"
 #include "widgets/viewport/viewport.h"
@@ -12,11 +14,12 @@
 namespace windfall::widgets {
 
 class BranchAttributes;
+class ClipPanel;
 class MotionPlot;
 class PlantSettings;
 class Transport;
 
-class PlantWorkspace : public Workspace {
+class PlantWorkspace : public Workspace, private PullHost {
   Q_OBJECT
  public:
   explicit PlantWorkspace(const WorkspaceContext& context, QObject* parent = nullptr);
@@ -27,7 +30,7 @@ class PlantWorkspace : public Workspace {
   QWidget* canvas() override { return viewport_; }
   QWidget* inspector() override { return inspector_; }
   QWidget* strip() override { return strip_; }
-  QList<QAction*> tools() override { return {select_}; }
+  QList<QAction*> tools() override { return {select_, box_, pull_}; }
   void fillMenu(QMenu& menu) override;
   bool openFile(const QString& path) override;
   void add() override { askForFile(); }
@@ -51,10 +54,39 @@ class PlantWorkspace : public Workspace {
    public:
     explicit ClickTool(PlantWorkspace& workspace) : workspace_(workspace) {}
     void click(const ViewportEvent& event) override;
+    void paint(QPainter& painter, const OrbitCamera& camera, QSize size) const override {
+      workspace_.paintPins(painter, camera, size);
+    }
 
    private:
     PlantWorkspace& workspace_;
   };
+  /// The other tools, with the pins over the picture.
+  template <class Tool>
+  class WithPins : public Tool {
+   public:
+    template <class... Arguments>
+    explicit WithPins(PlantWorkspace& workspace, Arguments&&... arguments)
+        : Tool(std::forward<Arguments>(arguments)...), workspace_(workspace) {}
+    void paint(QPainter& painter, const OrbitCamera& camera, QSize size) const override {
+      workspace_.paintPins(painter, camera, size);
+      Tool::paint(painter, camera, size);
+    }
+
+   private:
+    PlantWorkspace& workspace_;
+  };
+
+  const std::vector<LinkCapsule>& pullCapsules() const override { return feed_.capsules(); }
+  const std::vector<mat4>& pullPose() const override { return controller_.last().pose; }
+  void pull(const std::optional<sim::Pull>& pull) override;
+  void paintPins(QPainter& painter, const OrbitCamera& camera, QSize size) const;
+  void makeTools();
+  void makeChoices();
+  void choose(const std::function<std::vector<std::size_t>(const sim::Tree&, const std::vector<std::size_t>&)>& wanted);
+  const sim::Tree* tree() const;
+  void showClip();
+  void tellAboutPlant();
 
   std::optional<model::Project> alone() const;
   model::LoadedPlant loaded() const;
@@ -76,13 +108,19 @@ class PlantWorkspace : public Workspace {
   SimulationController controller_;
   SceneFeed feed_;
   ClickTool click_{*this};
+  WithPins<BoxTool> boxTool_;
+  WithPins<PullTool> pullTool_{*this, static_cast<PullHost&>(*this)};
   QPointer<Viewport> viewport_;  ///< may go before the workspace, with its window
   QWidget *inspector_, *strip_;
   BranchPanel* branches_ = nullptr;
   BranchAttributes* attributes_ = nullptr;
   PlantSettings* settings_ = nullptr;
+  ClipPanel* clips_ = nullptr;
   Transport* transport_ = nullptr;
   MotionPlot* motion_ = nullptr;
+  QAction *box_ = nullptr, *pull_ = nullptr, *pin_ = nullptr, *copy_ = nullptr, *paste_ = nullptr;
+  std::vector<QAction*> choices_;  ///< what chooses by chain, order, children
+  model::AssetId toldPlant_;
   QAction *select_ = nullptr, *chooseAll_ = nullptr, *chooseNone_ = nullptr;
   std::vector<std::size_t> chosen_;  ///< links
   std::optional<std::size_t> tipLink_;

@@ -20,6 +20,8 @@ struct View {
   float exposure = 0;                      ///< stops; 0 suits a clear day
   float time = 0;                          ///< s, for clouds and grass
   vec3 wind{0};                            ///< m/s, for clouds and grass
+  std::vector<vec4> streaks;               ///< threads of air: place and opacity, the newest point of each first
+  int streakPoints = 0;                    ///< of each thread
   std::vector<std::uint32_t> highlighted;  ///< links of all trees, in the bone buffer's order
   Quality quality = Quality::Standard;
 };
