@@ -52,6 +52,10 @@ class BranchToolsTest : public QObject {
     QApplication::sendEvent(&view(), &move);
   }
   vec3 tipOf(std::size_t link) { return vec3(last().pose[link] * vec4(workspace_->feed().capsules()[link].to, 1)); }
+  void setWind(double speed) {
+    field<NumberField>("plant.wind")->setValue(speed);
+    emit field<NumberField>("plant.wind")->edited(speed, true);
+  }
   void waitSeconds(double seconds) {
     const double until = last().statistics.time + seconds;
     QTRY_VERIFY_WITH_TIMEOUT(last().statistics.time >= until, 60000);
@@ -84,7 +88,7 @@ class BranchToolsTest : public QObject {
     project.nextId = 2;
     document_->open(project, {});
     QVERIFY(window_->settle());
-    emit field<NumberField>("plant.wind")->edited(0, true);
+    setWind(0);
     QVERIFY(window_->settle());
   }
 
@@ -168,7 +172,7 @@ class BranchToolsTest : public QObject {
     QTest::keyClick(&view(), Qt::Key_P);
     QVERIFY(field<CheckField>("link.pinned")->value());
     QCOMPARE(plant().edits.size(), workspace_->branches().chosenLinks().size());
-    emit field<NumberField>("plant.wind")->edited(20, true);
+    setWind(20);
     workspace_->controller().play();
     waitSeconds(1.5);
     float pinned = 0, free = 0;
@@ -188,7 +192,7 @@ class BranchToolsTest : public QObject {
   }
 
   void aClipIsBakedPlayedUndoneAndSaved() {
-    emit field<NumberField>("plant.wind")->edited(10, true);
+    setWind(10);
     field<NumberField>("clip.length")->setValue(1.5);
     QTest::mouseClick(field<QPushButton>("clip.bake"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(plant().clips.size(), std::size_t{1}, 60000);
