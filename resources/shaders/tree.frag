@@ -67,7 +67,9 @@ void main() {
   float grain = dot(texel.rgb, vec3(0.33));
   albedo = mix(vec3(0.13, 0.20, 0.045) * (0.7 + 0.9 * grain), albedo, barkTint.a) * barkTint.rgb;
   // Data instead of bark: the colours of the legend, with a hint of the relief.
-  albedo = mix(albedo, pow(dataColor.rgb, vec3(2.2)) * (0.75 + 0.5 * grain), dataColor.a);
+  if (dataColor.a > 0.0) {
+    albedo = mix(albedo, pow(max(dataColor.rgb, vec3(0.0)), vec3(2.2)) * (0.75 + 0.5 * grain), min(dataColor.a, 1.0));
+  }
   vec2 bark = look.y > 0.5 ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   vec3 smoothNormal = normal;
   // Nearer than the noise is fine, its texels would show as facets.

@@ -9,7 +9,7 @@ layout(location = 5) in uint firstLink;
 layout(location = 6) in float repeats;
 layout(location = 7) in vec4 tint;
 layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
-layout(std430, binding = 2) readonly buffer LinkColors { uint linkColors[]; };  // one alone: none
+layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };  // one alone: none
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;

@@ -132,36 +132,50 @@ class GltfPlant {
     return result;
   }
 
-  /// The node of a mesh with a primitive a part.
-  int addSkinnedMesh(const QString& name, const PlantGeometry& geometry) {
+  /// The vertices that a part uses, in arrays of its own: readers split shared ones badly.
+  QJsonObject primitiveOf(const PlantGeometry& geometry, const MeshPart& part) {
     SkinnedArrays arrays;
     bool coloured = false;
-    for (const Vertex& vertex : geometry.vertices) {
-      append(arrays.positions, vertex.position);
-      const float length = glm::length(vertex.normal);
-      append(arrays.normals, length > 1e-6f ? vertex.normal / length : vec3(0, 1, 0));
-      append(arrays.uvs, vertex.uv);
-      float sum = 0;
-      for (const float weight : vertex.weights) sum += weight;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const float weight = sum > 0 ? vertex.weights[k] / sum : (k == 0 ? 1.0f : 0.0f);
-        arrays.weights.push_back(weight);
-        arrays.joints.push_back(weight > 0 ? static_cast<std::uint16_t>(vertex.bones[k]) : std::uint16_t{0});
+    std::vector<std::uint32_t> place(geometry.vertices.size(), ~0u), indices;
+    std::uint32_t used = 0;
+    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; ++i) {
+      std::uint32_t& to = place[geometry.indices[i]];
+      if (to == ~0u) {
+        to = used++;
+        coloured = appendVertex(geometry.vertices[geometry.indices[i]], arrays) || coloured;
       }
-      for (std::size_t k = 0; k < 3; ++k) {
-        arrays.colours.push_back(tinted(vertex, k));
-        coloured = coloured || arrays.colours.back() != 255;
-      }
-      arrays.colours.push_back(255);
+      indices.push_back(to);
     }
-    const QJsonObject shared = attributes(arrays, coloured);
+    const QJsonObject own = attributes(arrays, coloured);
+    return {{"attributes", own}, {"indices", out_.indices(indices)}, {"material", bark_[at(part.material)]}};
+  }
+
+  /// True where the vertex has a colour.
+  static bool appendVertex(const Vertex& vertex, SkinnedArrays& arrays) {
+    append(arrays.positions, vertex.position);
+    const float length = glm::length(vertex.normal);
+    append(arrays.normals, length > 1e-6f ? vertex.normal / length : vec3(0, 1, 0));
+    append(arrays.uvs, vertex.uv);
+    float sum = 0;
+    for (const float weight : vertex.weights) sum += weight;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float weight = sum > 0 ? vertex.weights[k] / sum : (k == 0 ? 1.0f : 0.0f);
+      arrays.weights.push_back(weight);
+      arrays.joints.push_back(weight > 0 ? static_cast<std::uint16_t>(vertex.bones[k]) : std::uint16_t{0});
+    }
+    bool coloured = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      arrays.colours.push_back(tinted(vertex, k));
+      coloured = coloured || arrays.colours.back() != 255;
+    }
+    arrays.colours.push_back(255);
+    return coloured;
+  }
+
+  /// The node of a mesh with a primitive a part.
+  int addSkinnedMesh(const QString& name, const PlantGeometry& geometry) {
     QJsonArray primitives;
-    for (const MeshPart& part : geometry.parts) {
-      const auto first = geometry.indices.begin() + static_cast<std::ptrdiff_t>(part.firstIndex);
-      const std::vector<std::uint32_t> indices(first, first + static_cast<std::ptrdiff_t>(part.indexCount));
-      primitives.append(QJsonObject{
-          {"attributes", shared}, {"indices", out_.indices(indices)}, {"material", bark_[at(part.material)]}});
-    }
+    for (const MeshPart& part : geometry.parts) primitives.append(primitiveOf(geometry, part));
     if (primitives.isEmpty()) return out_.add("nodes", {{"name", name}});
     const int mesh = out_.add("meshes", {{"name", name}, {"primitives", primitives}});
     return out_.add("nodes", {{"name", name}, {"mesh", mesh}, {"skin", 0}});
@@ -188,26 +202,27 @@ class GltfPlant {
   }
 
   int addMergedLeaves() {
-    SkinnedArrays arrays;
-    std::vector<std::vector<std::uint32_t>> indices(model_.shapes.size());
-    for (const PlacedLeaf& leaf : model_.leaves) {
-      const LeafShape& shape = model_.shapes[at(leaf.shape)];
-      const auto first = static_cast<std::uint32_t>(arrays.positions.size() / 3);
-      for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-        append(arrays.positions, leaf.position + leaf.rotation * (leaf.size * shape.positions[i]));
-        append(arrays.normals, leaf.rotation * vec3(0, 0, 1));
-        append(arrays.uvs, shape.uvs[i]);
-        append(arrays.weights, vec4(1, 0, 0, 0));
-        for (const int joint : {leaf.bone, 0, 0, 0}) arrays.joints.push_back(static_cast<std::uint16_t>(joint));
-      }
-      for (const std::uint32_t index : shape.indices) indices[at(leaf.shape)].push_back(first + index);
-    }
-    const QJsonObject shared = attributes(arrays, false);
     QJsonArray primitives;
-    for (std::size_t s = 0; s < indices.size(); ++s) {
-      if (indices[s].empty()) continue;
+    for (std::size_t s = 0; s < model_.shapes.size(); ++s) {
+      const LeafShape& shape = model_.shapes[s];
+      SkinnedArrays arrays;
+      std::vector<std::uint32_t> indices;
+      for (const PlacedLeaf& leaf : model_.leaves) {
+        if (leaf.shape != static_cast<int>(s)) continue;
+        const auto first = static_cast<std::uint32_t>(arrays.positions.size() / 3);
+        for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+          append(arrays.positions, leaf.position + leaf.rotation * (leaf.size * shape.positions[i]));
+          append(arrays.normals, leaf.rotation * vec3(0, 0, 1));
+          append(arrays.uvs, shape.uvs[i]);
+          append(arrays.weights, vec4(1, 0, 0, 0));
+          for (const int joint : {leaf.bone, 0, 0, 0}) arrays.joints.push_back(static_cast<std::uint16_t>(joint));
+        }
+        for (const std::uint32_t index : shape.indices) indices.push_back(first + index);
+      }
+      if (indices.empty()) continue;
+      const QJsonObject own = attributes(arrays, false);
       primitives.append(
-          QJsonObject{{"attributes", shared}, {"indices", out_.indices(indices[s])}, {"material", leafMaterials_[s]}});
+          QJsonObject{{"attributes", own}, {"indices", out_.indices(indices)}, {"material", leafMaterials_[s]}});
     }
     const int mesh = out_.add("meshes", {{"name", "leaves"}, {"primitives", primitives}});
     return out_.add("nodes", {{"name", "leaves"}, {"mesh", mesh}, {"skin", 0}});

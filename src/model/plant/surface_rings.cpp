@@ -11,7 +11,7 @@ constexpr float kPi = 3.14159265f;
 constexpr float kFewest = 3, kMost = 48;
 constexpr float kMostPieces = 8, kMostSplits = 32;
 constexpr float kTipHeight = 0.8f;   ///< of the last radius
-constexpr float kEvenRatio = 0.08f;  ///< |ln| of a radius' change of 0.92
+constexpr float kEvenRatio = 0.06f;  ///< |ln| of a radius' change of 0.94
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -109,7 +109,6 @@ void addDome(FinalRings& chain, const MeshSettings& settings) {
     ring.radius *= std::sqrt(1 - x * x);
     ring.along += height;
     ring.v += barkRun(height, end.radius, end.radius, 1);
-    ring.sides = ringSides(ring.radius, settings.tolerance);
     chain.rings.push_back(ring);
     chain.tip = kTipHeight * (1 - x) * end.radius;
   }
@@ -159,6 +158,10 @@ FinalRings finalRings(const SkeletonGraph& graph, const ChainCurve& curve, const
     const float run = std::max(after.along - before.along, 1e-6f);
     result[i].slope = std::clamp((after.radius - before.radius) / run, -2.0f, 2.0f);
     result[i].sides = ringSides(result[i].radius, settings.tolerance);
+    // Rings of other counts need room: on a narrow band their corners would make triangles that look along the axis.
+    const bool narrow =
+        i > 0 && glm::length(result[i].position - before.position) < 0.7f * std::max(result[i].radius, before.radius);
+    if (narrow) result[i].sides = before.sides;
   }
   addDome(out, settings);
   return out;

@@ -1,5 +1,6 @@
 #include "widgets/render/renderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -130,7 +131,7 @@ int Renderer::Impl::shadowSize(Quality quality) const {
 void Renderer::Impl::bindFrame() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, highlights.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, linkColors.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, linkColors.id());
   const int slot = ring.newest();
   if (slot >= 0 && ring.linkCount() > 0) {
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring.bones(), ring.boneOffset(slot),

@@ -199,7 +199,7 @@ void PlantSurfaceTest::barkIsNotStretched() {
         const float step = glm::length(rows[i].centre - rows[i - 1].centre);
         along += step;
         // Inside the parent nobody sees it, roots spread, and bark thinner than the tolerance is a line.
-        if (along - step < info.exit || along < 5 * rows[i].radius || rows[i].radius < settings.tolerance) continue;
+        if (along - step < info.exit || along < 5 * rows[i].radius || rows[i].radius < 2 * settings.tolerance) continue;
         for (const float r : {rows[i - 1].radius, rows[i].radius}) {
           const float stretch = (rows[i].v - rows[i - 1].v) * 6.2831853f * r / step;
           QVERIFY2(stretch > 0.9f && stretch < 1.1f,
