@@ -272,6 +272,8 @@ void SimulationController::describe(render::View& view) const {
   view.wind = length > 0 ? along * (scene_.wind.speed / length) : vec3(0);
   view.highlighted = highlighted_;
   view.linkColors = linkColors_;
+  // Only whole meshes know which link a piece of bark belongs to.
+  if (!linkColors_.empty()) view.adaptive = false;
 }
 
 void SimulationController::release() {
