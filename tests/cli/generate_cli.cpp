@@ -65,7 +65,7 @@ class GenerateCliTest : public QObject {
     QTest::addColumn<QByteArray>("message");
     const QString out = folder_.filePath("never.obj");
     QTest::addRow("rules") << QStringList{"l-system", "--rules", write("a.l", "axiom: A\nA -> F+(30"), "-o", out} << 1
-                           << QByteArray("a.l: rules 2:9: '(' is never closed");
+                           << QByteArray("a.l: rules 2:8: '(' is never closed");
     QTest::addRow("explode") << QStringList{"l-system", "--rules",
                                             write("b.l", "#iterations 30\naxiom: F\nF -> FFFFFFFFFF"), "-o", out}
                              << 1 << QByteArray("b.l: rules: the rules make more than 200000 links");

@@ -17,7 +17,7 @@ class RulesEditor : public QWidget {
   /// Shows a text; what is being typed stays where it is the same.
   void show(const QString& rules);
   QPlainTextEdit* text() const { return text_; }
-  /// "2:9: '(' is never closed", or how large the plant is; and the line that is marked, from 1, 0: none.
+  /// "2:8: '(' is never closed", or how large the plant is; and the line that is marked, from 1, 0: none.
   QString problem() const { return problem_; }
   int markedLine() const { return marked_; }
 

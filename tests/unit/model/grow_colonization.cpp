@@ -15,6 +15,9 @@ using namespace windfall::model::growth;
 
 namespace {
 
+/// Out of line: GCC 12 sees overruns in inlined short strings that are none.
+[[gnu::noinline]] std::string str(const char* text) { return text; }
+
 Plant oak() {
   Plant plant;
   plant.grower = GrowerSettings();
@@ -268,15 +271,15 @@ void GrowColonizationTest::importedMeshesAreFilled() {
 void GrowColonizationTest::emptyCrownsAreRefused() {
   Plant plant = sapling();
   plant.grower->colonization.crown.base = 20;
-  QCOMPARE(errorOf(plant), std::string("the crown is empty: its base lies above the tree's top"));
+  QCOMPARE(errorOf(plant), str("the crown is empty: its base lies above the tree's top"));
   plant = sapling();
   plant.grower->colonization.crown.radius = 0;
-  QCOMPARE(errorOf(plant), std::string("the crown is empty: its radius must be 0.01 to 100 m"));
+  QCOMPARE(errorOf(plant), str("the crown is empty: its radius must be 0.01 to 100 m"));
   plant = sapling();
   plant.grower->colonization.crown.profile = {{0.5, 0.2}};
-  QCOMPARE(errorOf(plant), std::string("the drawn crown encloses nothing: give it two points or more"));
+  QCOMPARE(errorOf(plant), str("the drawn crown encloses nothing: give it two points or more"));
   plant.grower->colonization.crown.profile = {{0, 0}, {0, 1}};
-  QCOMPARE(errorOf(plant), std::string("the drawn crown encloses nothing: give it two points or more"));
+  QCOMPARE(errorOf(plant), str("the drawn crown encloses nothing: give it two points or more"));
 }
 
 void GrowColonizationTest::nonsenseIsRefused() {

@@ -15,6 +15,9 @@ using namespace windfall::model::growth;
 
 namespace {
 
+/// Out of line: GCC 12 sees overruns in inlined short strings that are none.
+[[gnu::noinline]] std::string str(const char* text) { return text; }
+
 const char* kBush = "#define angle 25.7\n#define step 0.02\naxiom: X\nX -> F[+X][-X]FX\nF -> FF\n";
 const char* kTernary =
     "#define d1 94.74\n#define d2 132.63\n#define a 18.95\n#define lr 1.109\n#define vr 1.732\n#define bend 0.08\n"
@@ -142,7 +145,7 @@ void GrowLSystemTest::contextCarriesASignalUpEveryPath() {
   for (int i = 0; i < 5; ++i) QCOMPARE(namesOf(system, derived(system, i).modules), std::string(expected[i]));
   // The other way: right contexts skip whole side branches and end with the branch.
   const LSystem right = parsed("#ignore + -\naxiom: Y[+Y]Y[-Z]YZ\nY > Z -> Z\n");
-  QCOMPARE(namesOf(right, derived(right, 3).modules), std::string("Z[+Y]Z[-Z]ZZ"));
+  QCOMPARE(namesOf(right, derived(right, 3).modules), str("Z[+Y]Z[-Z]ZZ"));
 }
 
 void GrowLSystemTest::stochasticRulesFollowTheirWeights() {
@@ -216,7 +219,7 @@ void GrowLSystemTest::messagesNameLineAndColumn_data() {
   const auto row = [](const char* name, const char* rules, const char* message) {
     QTest::addRow("%s", name) << QByteArray(rules) << QByteArray(message);
   };
-  row("open bracket", "axiom: A\nA -> F+(30", "2:9: '(' is never closed");
+  row("open bracket", "axiom: A\nA -> F+(30", "2:8: '(' is never closed");
   row("no arrow", "axiom: A\nA F", "2:1: expected '->'");
   row("stray sign", "axiom: A\nA -> F #", "2:8: unexpected '#', expected a module");
   row("no axiom", "A -> F", "1:1: there is no axiom; write \"axiom: F\"");
@@ -242,12 +245,11 @@ void GrowLSystemTest::explosionsStopWithTheLastWholeGeneration() {
   const LSystem system = parsed("axiom: F\nF -> FFFFFFFFFF\n");
   const Derived result = derived(system, 100);
   QCOMPARE(result.generation, 6);
-  QCOMPARE(result.stopped,
-           std::string("generation 7 would make 10,000,000 modules (limit 2,000,000); showing generation 6"));
+  QCOMPARE(result.stopped, str("generation 7 would make 10,000,000 modules (limit 2,000,000); showing generation 6"));
   QCOMPARE(result.modules.size(), std::size_t{1'000'000});
   const Result<Grown> grown = interpretInOrder(system, result.modules, {});
   QVERIFY(!grown);
-  QCOMPARE(grown.error().message, std::string("the rules make more than 200000 links"));
+  QCOMPARE(grown.error().message, str("the rules make more than 200000 links"));
 }
 
 void GrowLSystemTest::endlessRulesEnd() {
@@ -265,25 +267,25 @@ void GrowLSystemTest::nonsenseWhileDerivingIsAnError() {
   const LSystem zero = parsed("axiom: A(1)\nA(k) -> A(1/(k-1))\n");
   const Result<Derived> division = derive(zero, 3, 1, {}, progress);
   QVERIFY(!division);
-  QCOMPARE(division.error().message, std::string("2:11: division by zero"));
+  QCOMPARE(division.error().message, str("2:11: division by zero"));
   const LSystem huge = parsed("axiom: A(10)\nA(k) -> A(k**k)\n");
   const Result<Derived> infinite = derive(huge, 5, 1, {}, progress);
   QVERIFY(!infinite);
-  QCOMPARE(infinite.error().message, std::string("2:11: this is no number any more"));
+  QCOMPARE(infinite.error().message, str("2:11: this is no number any more"));
   const LSystem far = parsed("axiom: F(1000)\n");
   QVERIFY(!interpretInOrder(far, derived(far, 0).modules, {}));
 }
 
 void GrowLSystemTest::cutsRemoveTheRestOfTheirBranch() {
   const LSystem system = parsed("axiom: F[+AFF[-F]F]F\nA -> %\n");
-  QCOMPARE(namesOf(system, derived(system, 1).modules), std::string("F[+]F"));
+  QCOMPARE(namesOf(system, derived(system, 1).modules), str("F[+]F"));
 }
 
 void GrowLSystemTest::hostileTextIsRefused() {
   QVERIFY(!firstError(std::string(70'000, 'F')).empty());
   QVERIFY(!firstError("axiom: F(" + std::string(5'000, '(')).empty());
   QVERIFY(!firstError("axiom: F(" + std::string(5'000, '-') + "1)").empty());
-  QVERIFY(!firstError(std::string("axiom: F\0F", 10)).empty());
+  QVERIFY(!firstError(QByteArray("axiom: F\0F", 10).toStdString()).empty());
   QVERIFY(!firstError("axiom: F(1e999)").empty());
   QVERIFY(!firstError("").empty());
 }

@@ -19,7 +19,7 @@ struct RuleError {
   int line = 0, column = 0;
   std::string message;
   RuleError(int atLine, int atColumn, std::string_view what);
-  /// "2:9: '(' is never closed".
+  /// "2:8: '(' is never closed".
   std::string text() const { return std::to_string(line) + ":" + std::to_string(column) + ": " + message; }
 };
 
