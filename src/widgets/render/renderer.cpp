@@ -133,7 +133,6 @@ int Renderer::Impl::shadowSize(Quality quality) const {
 void Renderer::Impl::bindFrame() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, highlights.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, linkColors.id());
   const int slot = ring.newest();
   if (slot >= 0 && ring.linkCount() > 0) {
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, ring.bones(), ring.boneOffset(slot),
@@ -178,6 +177,8 @@ void Renderer::Impl::drawPicture(const View& view) {
   glBindTextureUnit(2, shadow.texture());
   // Front to back: the ground and the sky fill only what the tree leaves open.
   if (const int slot = ring.newest(); slot >= 0) {
+    // The adaptive mesh's selection has had this place since the frame was bound.
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, linkColors.id());
     counts.calls += trees.draw(high, view.adaptive);
     if (view.adaptive) counts.calls += detail.draw(high);
     counts.leafCalls = leaves.draw(high);
