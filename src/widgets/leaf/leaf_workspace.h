@@ -50,7 +50,6 @@ class LeafWorkspace : public Workspace {
   VariantStrip& variants() { return *strip_; }
   RegionMatchView& regionMatch() { return *match_; }
   AtlasPanel& atlas() { return *atlas_; }
-  RegionMatchView& regionMatch() { return *match_; }
   LeafInspector& numbers() { return *inspector_; }
 
  private:
