@@ -160,15 +160,18 @@ void PlantExportTest::theValidatorFindsNoError() {
   QTemporaryDir folder;
   Progress progress;
   const Exporter& exporter = *findExporter("gltf");
-  for (const char* name : {"plant.glb", "plant.gltf"}) {
-    for (int leaves = 0; leaves < 4; ++leaves) {
-      const QJsonObject values{{"leaves", leaves}, {"levels", leaves == 1 ? 3 : 1}, {"bones", leaves == 2 ? 12 : 0}};
-      const QString path = folder.filePath(name);
-      QVERIFY(exporter.write(projectOf(test::smallTree(3)), {1}, path, values, progress));
-      const std::optional<QString> errors = validatorErrors(path);
-      if (!errors) QSKIP("gltf-validator is not there (npm install gltf-validator, WINDFALL_GLTF_VALIDATOR)");
-      QCOMPARE(*errors, QString("none"));
-    }
+  if (!qEnvironmentVariableIsSet("WINDFALL_GLTF_VALIDATOR")) {
+    QSKIP("gltf-validator is not there (npm install gltf-validator, WINDFALL_GLTF_VALIDATOR)");
+  }
+  const std::pair<const char*, QJsonObject> files[] = {{"plant.gltf", {{"leaves", 0}}},
+                                                       {"plant.glb", {{"leaves", 1}, {"levels", 2}}},
+                                                       {"few.glb", {{"leaves", 2}, {"bones", 12}}}};
+  for (const auto& [name, values] : files) {
+    const QString path = folder.filePath(name);
+    QVERIFY(exporter.write(projectOf(test::smallTree(3)), {1}, path, values, progress));
+    const std::optional<QString> errors = validatorErrors(path);
+    QVERIFY(errors.has_value());
+    QCOMPARE(*errors, QString("none"));
   }
 }
 
