@@ -187,7 +187,8 @@ void PlantExportTest::blenderOpensIt() {
     QFile script(folder.filePath("look.py"));
     QVERIFY(script.open(QIODevice::WriteOnly));
     script.write(
-        "import bpy, sys\n"
+        "import bpy, sys, numpy\n"
+        "numpy.bool = bool\n"  // Debian 12: its Blender asks for what its numpy no longer has
         "bpy.ops.wm.read_factory_settings(use_empty=True)\n"
         "bpy.ops.import_scene.gltf(filepath=sys.argv[-1])\n"
         "o = bpy.data.objects\n"
@@ -199,6 +200,7 @@ void PlantExportTest::blenderOpensIt() {
         "4))\n");
     script.close();
     QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(blender, {"-b", "--factory-startup", "-P", script.fileName(), "--", folder.filePath("p.glb")});
     QVERIFY(process.waitForFinished(120'000));
     const QString text = QString::fromUtf8(process.readAllStandardOutput());
