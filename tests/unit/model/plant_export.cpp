@@ -160,15 +160,18 @@ void PlantExportTest::theValidatorFindsNoError() {
   QTemporaryDir folder;
   Progress progress;
   const Exporter& exporter = *findExporter("gltf");
-  for (const char* name : {"plant.glb", "plant.gltf"}) {
-    for (int leaves = 0; leaves < 4; ++leaves) {
-      const QJsonObject values{{"leaves", leaves}, {"levels", leaves == 1 ? 3 : 1}, {"bones", leaves == 2 ? 12 : 0}};
-      const QString path = folder.filePath(name);
-      QVERIFY(exporter.write(projectOf(test::smallTree(3)), {1}, path, values, progress));
-      const std::optional<QString> errors = validatorErrors(path);
-      if (!errors) QSKIP("gltf-validator is not there (npm install gltf-validator, WINDFALL_GLTF_VALIDATOR)");
-      QCOMPARE(*errors, QString("none"));
-    }
+  if (!qEnvironmentVariableIsSet("WINDFALL_GLTF_VALIDATOR")) {
+    QSKIP("gltf-validator is not there (npm install gltf-validator, WINDFALL_GLTF_VALIDATOR)");
+  }
+  const std::pair<const char*, QJsonObject> files[] = {{"plant.gltf", {{"leaves", 0}}},
+                                                       {"plant.glb", {{"leaves", 1}, {"levels", 2}}},
+                                                       {"few.glb", {{"leaves", 2}, {"bones", 12}}}};
+  for (const auto& [name, values] : files) {
+    const QString path = folder.filePath(name);
+    QVERIFY(exporter.write(projectOf(test::smallTree(3)), {1}, path, values, progress));
+    const std::optional<QString> errors = validatorErrors(path);
+    QVERIFY(errors.has_value());
+    QCOMPARE(*errors, QString("none"));
   }
 }
 
@@ -184,7 +187,8 @@ void PlantExportTest::blenderOpensIt() {
     QFile script(folder.filePath("look.py"));
     QVERIFY(script.open(QIODevice::WriteOnly));
     script.write(
-        "import bpy, sys\n"
+        "import bpy, sys, numpy\n"
+        "numpy.bool = bool\n"  // Debian 12: its Blender asks for what its numpy no longer has
         "bpy.ops.wm.read_factory_settings(use_empty=True)\n"
         "bpy.ops.import_scene.gltf(filepath=sys.argv[-1])\n"
         "o = bpy.data.objects\n"
@@ -196,6 +200,7 @@ void PlantExportTest::blenderOpensIt() {
         "4))\n");
     script.close();
     QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(blender, {"-b", "--factory-startup", "-P", script.fileName(), "--", folder.filePath("p.glb")});
     QVERIFY(process.waitForFinished(120'000));
     const QString text = QString::fromUtf8(process.readAllStandardOutput());
