@@ -56,17 +56,6 @@ Result<QImage> readMarks(const QString& path, QSize wanted) {
   return image->convertToFormat(QImage::Format_Grayscale8);
 }
 
-/// Every number of "X,Y,…"; empty where one is none.
-std::vector<double> numbersOf(const std::string& value) {
-  std::vector<double> numbers;
-  for (const QString& part : text(value).split(',')) {
-    bool good = false;
-    numbers.push_back(part.toDouble(&good));
-    if (!good || !std::isfinite(numbers.back())) return {};
-  }
-  return numbers;
-}
-
 /// A preset by its name, the artist's own before a built-in one, or by its file.
 Result<model::Preset> presetOf(const QString& nameOrFile) {
   if (nameOrFile.endsWith(QLatin1String(".json"))) return model::readPreset(nameOrFile);
