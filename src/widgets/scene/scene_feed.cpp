@@ -54,6 +54,8 @@ void SceneFeed::rebuild(bool restore) {
         auto assembly = std::make_shared<Assembly>();
         assembly->scene = std::move(*scene);
         assembly->content = std::make_shared<render::SceneContent>(makeContent(assembly->scene, project.scene, 0));
+        // They are in the content now.
+        for (model::LeafTexture& texture : assembly->scene.leafTextures) texture.maps = {};
         return assembly;
       },
       [self = QPointer<SceneFeed>(this), project = *project](std::shared_ptr<Assembly> assembly) {

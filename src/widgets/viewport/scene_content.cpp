@@ -1,6 +1,7 @@
 #include "widgets/viewport/scene_content.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 
@@ -51,36 +52,45 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   return mesh;
 }
 
-/// Normal, roughness and what comes through, in one picture of numbers.
-render::Picture surfaceOf(const model::LeafTexture& texture) {
-  const model::LeafMaps& maps = texture.maps;
-  if (maps.normal.isNull()) return {};
-  render::Picture picture{maps.normal.width(), maps.normal.height(), {}};
-  picture.rgba.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4);
-  for (int y = 0; y < picture.height; ++y) {
-    const uchar *normal = maps.normal.constScanLine(y), *rough = maps.roughness.constScanLine(y);
-    const uchar* through = maps.thinness.constScanLine(y);
-    for (int x = 0; x < picture.width; ++x) {
-      picture.rgba.insert(picture.rgba.end(), {normal[4 * x], normal[4 * x + 1], rough[x], through[x]});
+/// Maps are smoother than colours: half the size shows the same.
+QImage half(const QImage& map) {
+  return map
+      .scaled(std::max(1, map.width() / 2), std::max(1, map.height() / 2), Qt::IgnoreAspectRatio,
+              Qt::SmoothTransformation)
+      .convertToFormat(map.format());
+}
+
+/// Four channels of maps in one picture of numbers; each a map and its channel (of one in a byte a pixel: 0).
+render::Picture channels(const std::array<std::pair<const QImage*, int>, 4>& from) {
+  render::Picture picture;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const QImage map = half(*from[c].first);
+    const int step = map.depth() / 8;
+    picture.width = map.width();
+    picture.height = map.height();
+    picture.rgba.resize(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()) * 4);
+    std::size_t at = c;
+    for (int y = 0; y < map.height(); ++y) {
+      const uchar* row = map.constScanLine(y) + from[c].second;
+      for (int x = 0; x < map.width(); ++x, at += 4) picture.rgba[at] = row[x * step];
     }
   }
   return picture;
 }
 
-/// The ageing map with the occlusion in its last channel.
-render::Picture ageingOf(const model::LeafTexture& texture) {
-  if (texture.maps.ageing.isNull()) return {};
-  render::Picture picture = toPicture(texture.maps.ageing);
-  for (int y = 0; y < picture.height; ++y) {
-    const uchar* open = texture.maps.occlusion.constScanLine(y);
-    for (int x = 0; x < picture.width; ++x) {
-      picture
-          .rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)) *
-                    4 +
-                3] = open[x];
-    }
-  }
-  return picture;
+/// A copy without alpha, which would weigh the colours when they are averaged.
+QImage opaque(const QImage& map) { return map.convertToFormat(QImage::Format_RGBX8888); }
+
+render::Picture surfaceOf(const model::LeafMaps& maps) {
+  if (maps.normal.isNull()) return {};
+  const QImage normal = opaque(maps.normal);
+  return channels({{{&normal, 0}, {&normal, 1}, {&maps.roughness, 0}, {&maps.thinness, 0}}});
+}
+
+render::Picture ageingOf(const model::LeafMaps& maps) {
+  if (maps.ageing.isNull()) return {};
+  const QImage ageing = opaque(maps.ageing);
+  return channels({{{&ageing, 0}, {&ageing, 1}, {&ageing, 2}, {&maps.occlusion, 0}}});
 }
 
 void addAgeing(const model::LeafTexture& texture, render::LeafLayer& layer) {
@@ -109,8 +119,8 @@ render::LeafLayer makeLayer(const model::LeafTexture& texture) {
     }
     layer.levels[level].indices = texture.meshes[level].indices;
   }
-  layer.surface = surfaceOf(texture);
-  layer.ageing = ageingOf(texture);
+  layer.surface = surfaceOf(texture.maps);
+  layer.ageing = ageingOf(texture.maps);
   layer.stalk = texture.stalk;
   layer.halfWidth = texture.halfWidth;
   addAgeing(texture, layer);
