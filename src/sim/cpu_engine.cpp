@@ -155,6 +155,7 @@ void CpuEngine::step() {
   const ThreadScope scope(threads_);
   followWind();
   wind_.advance(time() + 0.5 * h);
+  if (pull_.isHeld()) wind_.setPull(pull_.next(trees_, static_cast<float>(h)));
   const double windLattice = timers_.wind = watch.lap();
   moveTrees(trees_, wind_.view());
   // The air at the links counts as wind.
@@ -364,6 +365,7 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   between_ = 1;
   wind_.restore(anchor);
   trees_.setState(motion, before, after);
+  poseWhereMoved();
   lostArea_ = lost;
   if (!std::equal(known.begin(), known.end(), trees_.lostArea().begin())) trees_.setLostArea(known);
   followWind();

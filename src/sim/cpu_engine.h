@@ -21,9 +21,12 @@ class CpuEngine : public Engine {
   void setWind(const WindSettings& wind) override;
   void setLeaves(const LeafSettings& leaves) override;
   void setTree(std::size_t instance, std::shared_ptr<const Tree> tree) override;
+  void setPull(const std::optional<Pull>& pull) override;
+  void adopt(const Engine& before, std::span<const int> from) override;
   std::size_t linkCount() const override { return trees_.size(); }
   std::size_t leafCount() const override;
   void write(std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) override;
+  void writePosed(std::span<const mat4> pose, std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) override;
   Statistics statistics() const override;
   Timers timers() const override { return timers_; }
   DeviceInfo device() const override;
@@ -39,11 +42,13 @@ class CpuEngine : public Engine {
   /// One step of all links in the current wind.
   virtual void moveTrees(TreeField& trees, const WindView& wind);
   const TreeField& trees() const { return trees_; }
+
  private:
   FactorSettings factorSettings() const;
   void followWind();
   void followLeaves();
   void forgetLeaves();
+  void poseWhereMoved();
   LinkView linkView() const;
   std::uint64_t fingerprint() const;
 
@@ -60,6 +65,7 @@ class CpuEngine : public Engine {
   std::size_t tipLink_ = 0;
   vec3 tipRest_{0};  ///< world
   Timers timers_;
+  PullForce pull_;
 };
 
 }  // namespace windfall::sim

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "kernels/leaf_instance.h"
 #include "kernels/math.h"
 #include "kernels/wind.h"
+#include "sim/pull.h"
 #include "sim/result.h"
 #include "sim/settings.h"
 #include "sim/tree.h"
@@ -84,6 +86,11 @@ class Engine {
   /// Stiffness, damping, wind response, density or modulus of links changed; the geometry did not.
   /// Refactors in place and keeps the motion.
   virtual void setTree(std::size_t instance, std::shared_ptr<const Tree> tree) = 0;
+  /// A hand on one branch; nothing: it lets go. No part of the state.
+  virtual void setPull(const std::optional<Pull>& pull) = 0;
+  /// Goes on where another engine stands: its time, wind, and the motion of trees that it has too. `from`: an instance
+  /// of `before` for each own one, -1 for a new tree, which starts at rest. Leaves start anew.
+  virtual void adopt(const Engine& before, std::span<const int> from) = 0;
 
   /// Links of all instances, in order; `boneMatrices` holds one matrix a link: rest space of its tree to world.
   virtual std::size_t linkCount() const = 0;
@@ -92,6 +99,9 @@ class Engine {
   /// straight into the caller's buffers (OpenGL's mapped memory, say): sizes linkCount() and leafCount().
   virtual void write(std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) = 0;
 
+  /// The same for a pose from elsewhere (a clip): a matrix a link, rest space of its tree to world. Leaves that hang go
+  /// with it.
+  virtual void writePosed(std::span<const mat4> pose, std::span<mat4> boneMatrices, std::span<LeafInstance> leaves) = 0;
   /// The air as it is now, for streaks; on the host, valid until the next call that changes the engine.
   virtual WindView windView() const = 0;
 

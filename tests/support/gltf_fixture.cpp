@@ -16,6 +16,7 @@ int GltfFixture::add(const void* data, qsizetype bytes, int componentType, const
   while (buffer.size() % 4 != 0) buffer.append('\0');
   root["bufferViews"] = views;
   root["accessors"] = accessors;
+  root["buffers"] = QJsonArray{QJsonObject{{"byteLength", buffer.size()}}};
   return static_cast<int>(accessors.size()) - 1;
 }
 

@@ -27,9 +27,10 @@ class GltfFixture {
   void setFloat(qsizetype byteOffset, float value);
   /// Replaces a key of element `index` of a top-level array.
   void set(const char* list, int index, const char* key, const QJsonValue& value);
+  /// Appends data with its view and accessor; the accessor's index. The buffer's length is brought up to date.
+  int add(const void* data, qsizetype bytes, int componentType, const char* type, qsizetype count);
 
  private:
-  int add(const void* data, qsizetype bytes, int componentType, const char* type, qsizetype count);
   QJsonObject primitive(const std::vector<vec3>& places, const std::vector<vec4>& weights,
                         const std::vector<unsigned short>& indices, int material);
 };

@@ -33,6 +33,9 @@ QJsonObject json(const model::PlantInfo& info) {
           {"totalStemLength", info.totalStemLength},
           {"mass", info.mass},
           {"firstFrequency", info.firstFrequency},
+          {"selfBuckling", info.selfBuckling},
+          {"clips", QJsonArray::fromStringList(info.clips)},
+          {"notes", QJsonArray::fromStringList(info.notes)},
           {"boundingBox", QJsonObject{{"min", coordinates(info.lower)}, {"max", coordinates(info.upper)}}}};
 }
 

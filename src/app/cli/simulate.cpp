@@ -10,13 +10,14 @@
 #include "model/document/project_file.h"
 #include "model/plant/import.h"
 #include "model/scene/assemble.h"
+#include "model/scene/wind_csv.h"
 
 namespace windfall::app {
 
 namespace {
 
 struct SimulateOptions {
-  std::string file, device = "auto", method, trace;
+  std::string file, device = "auto", method, trace, windData;
   std::vector<float> direction;
   std::optional<float> wind, windUntil, dt;
   float spawnHeight = 0;
@@ -130,6 +131,13 @@ int run(const SimulateOptions& options) {
   Result<model::Project> project = openScene(path, progress);
   if (!project) return fail(path, project.error());
   apply(options, project->scene);
+  if (!options.windData.empty()) {
+    const float speed = project->scene.wind.speed;
+    if (const Status read = model::readWindFile(text(options.windData), project->scene.wind); !read) {
+      return fail(text(options.windData), read.error());
+    }
+    if (options.wind) project->scene.wind.speed = speed;
+  }
   Result<model::SceneAssembly> assembly = model::assembleTrees(*project, progress);
   if (!assembly) return fail(path, assembly.error());
   const sim::Device device = options.device == "cuda"  ? sim::Device::Cuda
@@ -189,6 +197,8 @@ void declareSimulate(CLI::App& app, Action& action) {
   command->add_option("--dt", o->dt, "Length of a step in seconds (default: the project's, 1/60)")
       ->check(CLI::Range(1e-4, 10.0));
   command->add_option("--wind", o->wind, "Mean speed at 10 m height, in m/s")->check(CLI::Range(0.0, 100.0));
+  command->add_option("--wind-data", o->windData,
+                      "CSV table of time, speed and direction that the wind follows instead");
   command->add_option("--wind-until", o->windUntil, "Calm from this time on, in seconds")->check(CLI::Range(0.0, 1e9));
   command->add_option("--direction", o->direction, "Where it blows to; its level part counts")
       ->type_name("X,Y,Z")

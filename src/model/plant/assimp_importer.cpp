@@ -13,6 +13,7 @@
 #include "model/plant/foliage.h"
 #include "model/plant/gltf_check.h"
 #include "model/plant/skeleton_geometry.h"
+#include "model/plant/import_repair.h"
 
 namespace windfall::model {
 
@@ -53,15 +54,19 @@ Result<PlantGeometry> convert(const aiScene& scene, const QString& format, Progr
   PlantGeometry geometry;
   geometry.format = format;
   geometry.nodes = static_cast<int>(file->nodes.size());
-  Result<BoneHints> hints = assimp::readBones(*file, geometry);
+  std::vector<assimp::Transform> binds;
+  Result<BoneHints> hints = assimp::readBones(*file, geometry, binds);
   if (!hints) return hints.error();
   if (const Status status = assimp::readMeshes(*file, geometry); !status) return status.error();
+  if (const Status status = checkSkeleton(geometry); !status) return status.error();
+  assimp::readClips(*file, binds, geometry);
   assimp::readMaterials(scene, geometry);
   progress.report(0.7);
   if (progress.cancelled()) return Error{"cancelled", true};
   detectFoliage(geometry);
   fitTails(geometry, *hints);
   fitRadii(geometry);
+  mendBones(geometry);
   progress.report(0.9);
   extractLeaves(geometry);
   progress.report(1);
@@ -82,7 +87,7 @@ Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const Surface
     importer.SetIOHandler(new NothingElse);
     importer.SetProgressHandler(new Reporter(progress));
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, true);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFileFromMemory(
         file.bytes.constData(), static_cast<std::size_t>(file.bytes.size()),

@@ -48,8 +48,11 @@ bool isFinite(const Transform& transform);
 /// Flattens the nodes; an error for a scene without a mesh, without an armature or with numbers that are none.
 Result<File> indexScene(const aiScene& scene, bool gltf);
 
-/// Fills the bones; returns what the fit of tails needs.
-Result<BoneHints> readBones(File& file, PlantGeometry& geometry);
+/// Fills the bones and their rest poses (bone to plant space); returns what the fit of tails needs.
+Result<BoneHints> readBones(File& file, PlantGeometry& geometry, std::vector<Transform>& binds);
+
+/// Fills the clips; what cannot be played is told in the notes.
+void readClips(const File& file, const std::vector<Transform>& binds, PlantGeometry& geometry);
 
 /// Fills vertices, indices, parts and maxInfluences.
 Status readMeshes(const File& file, PlantGeometry& geometry);

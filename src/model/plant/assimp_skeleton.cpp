@@ -83,7 +83,7 @@ mat3 axesOf(const Transform& bind) {
 
 }  // namespace
 
-Result<BoneHints> readBones(File& file, PlantGeometry& geometry) {
+Result<BoneHints> readBones(File& file, PlantGeometry& geometry, std::vector<Transform>& binds) {
   std::vector<Use> uses(file.nodes.size());
   if (const Status status = collectUses(file, uses); !status) return status.error();
   chooseBones(file, uses);
@@ -125,6 +125,7 @@ Result<BoneHints> readBones(File& file, PlantGeometry& geometry) {
     geometry.bones.push_back(std::move(bone));
     hints.ends.emplace_back();
     hints.axes.push_back(axesOf(use.bind));
+    binds.push_back(use.bind);
   }
   const bool weighted =
       std::any_of(geometry.bones.begin(), geometry.bones.end(), [](const Bone& bone) { return bone.weighted; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 #include "model/plant/geometry.h"
@@ -39,6 +40,8 @@ struct PlantInfo {
   int plants = 1, nodes = 0, bones = 0, rigidBodies = 0, chains = 0, depth = 0, stems = 0, leaves = 0, buds = 0,
       maxInfluences = 0;
   double totalStemLength = 0, mass = 0, firstFrequency = 0;
+  double selfBuckling = 0;  ///< own weight over what makes it buckle (sim/self_buckling.h)
+  QStringList clips, notes;
   vec3 lower{0}, upper{0};  ///< bounding box, m
 };
 PlantInfo describe(const PlantGeometry& geometry, const PlantBodies& bodies);

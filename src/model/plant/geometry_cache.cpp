@@ -14,6 +14,7 @@ Plant shapeOf(const Plant& plant) {
   shape.id = {};
   shape.name.clear();
   shape.edits.clear();
+  shape.clips.clear();
   shape.leaves.clear();
   shape.leafDensity = 1;
   return shape;

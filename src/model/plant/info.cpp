@@ -3,6 +3,7 @@
 
 #include "model/plant/bodies.h"
 #include "model/plant/skeleton_geometry.h"
+#include "sim/self_buckling.h"
 
 namespace windfall::model {
 
@@ -36,6 +37,9 @@ PlantInfo describe(const PlantGeometry& geometry, const PlantBodies& bodies) {
   }
   info.mass = sim::totalMass(bodies.tree);
   info.firstFrequency = sim::firstFrequency(bodies.tree);
+  info.selfBuckling = sim::selfBuckling(bodies.tree);
+  for (const Clip& clip : geometry.clips) info.clips << clip.name;
+  info.notes = geometry.notes;
   if (!geometry.vertices.empty()) {
     info.lower = vec3(std::numeric_limits<float>::max());
     info.upper = -info.lower;

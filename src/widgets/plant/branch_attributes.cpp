@@ -3,17 +3,19 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QTimer>
 #include <algorithm>
 
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
+#include "widgets/plant/link_choice.h"
 
 namespace windfall::widgets {
 
 using model::LinkAttributes;
 
 BranchAttributes::BranchAttributes(model::Document& document, FieldPanel& panel, QObject* parent)
-    : QObject(parent), document_(document), nothing_(new QLabel) {
+    : QObject(parent), document_(document), panel_(panel), nothing_(new QLabel), frequencyTimer_(new QTimer(this)) {
   nothing_->setText(tr("Click a branch in the view, or choose one in the list."));
   nothing_->setProperty("hint", true);
   nothing_->setWordWrap(true);
@@ -76,6 +78,17 @@ BranchAttributes::BranchAttributes(model::Document& document, FieldPanel& panel,
       {.minimum = 0.5, .maximum = 20, .defaultValue = 6, .unit = "GPa", .hardMinimum = 0.01, .hardMaximum = 500},
       tr("Stiffness of the wood itself"), [](const LinkAttributes& a) { return a.youngsModulus / 1e9; },
       [](LinkAttributes& a, double v) { a.youngsModulus = v * 1e9; });
+
+  frequency_ = stiffness->add(new InfoField(tr("Frequency")));
+  frequency_->setObjectName("branch.frequency");
+  frequency_->setToolTip(
+      tr("How often the branch that was chosen last sways with all that it carries, by calculation"));
+  addPinned(stiffness);
+  // Not at every step of a slider: a trunk carries thousands of links.
+  frequencyTimer_->setSingleShot(true);
+  frequencyTimer_->setInterval(120);
+  connect(frequencyTimer_, &QTimer::timeout, this, &BranchAttributes::showFrequency);
+  addAdvanced();
 
   FieldGroup* wind = add("wind", tr("Wind"));
   number(
@@ -145,6 +158,7 @@ void BranchAttributes::show(model::AssetId plant, const model::LoadedPlant& load
     all.push_back(found == asset->edits.end() ? LinkAttributes{} : found->second);
   }
   for (const auto& showField : shows_) showField(all);
+  frequencyTimer_->start();
   resetAll_->setEnabled(
       std::any_of(all.begin(), all.end(), [](const LinkAttributes& a) { return a != LinkAttributes{}; }));
   showMeasures(branches);

@@ -10,6 +10,7 @@
 
 class QLabel;
 class QPushButton;
+class QTimer;
 
 namespace windfall::widgets {
 
@@ -28,6 +29,12 @@ class BranchAttributes : public QObject {
   void show(model::AssetId plant, const model::LoadedPlant& loaded, std::shared_ptr<const sim::Tree> tree,
             std::vector<std::size_t> links, std::size_t branches);
 
+  /// The values of the first chosen link to the clipboard, as text; and from there to all that are chosen.
+  void copy() const;
+  void paste();
+  /// Pins what is chosen, or lets it go where all of it is pinned.
+  void togglePinned();
+
  private:
   using Get = std::function<double(const model::LinkAttributes&)>;
   using Set = std::function<void(model::LinkAttributes&, double)>;
@@ -36,10 +43,16 @@ class BranchAttributes : public QObject {
   void edit(const std::function<void(model::LinkAttributes&)>& change, const QString& text, const QString& merge);
   const QString& boneName(std::size_t link) const;
   void showMeasures(std::size_t branches);
+  void addPinned(FieldGroup* group);
+  void addAdvanced();
+  void showFrequency();
 
   model::Document& document_;
+  FieldPanel& panel_;
   QLabel* nothing_;
   std::vector<FieldGroup*> groups_;
+  InfoField* frequency_ = nullptr;
+  QTimer* frequencyTimer_;
   InfoField *what_, *length_, *radius_, *order_, *wood_, *leafMass_, *leafCount_, *leafArea_;
   QPushButton* resetAll_;
   std::vector<std::function<void(const std::vector<model::LinkAttributes>&)>> shows_;

@@ -88,6 +88,14 @@ QModelIndex BranchModel::branchOfLink(std::size_t link) const {
   return node < 0 ? QModelIndex() : branchIndex(nodes_[static_cast<std::size_t>(node)].parent);
 }
 
+QModelIndex BranchModel::indexOfLink(std::size_t link) const {
+  if (!plant_.bodies || link >= plant_.bodies->boneOfLink.size()) return {};
+  const int bone = plant_.bodies->boneOfLink[link];
+  const int node = bone < 0 ? -1 : nodeOfBone_[static_cast<std::size_t>(bone)];
+  if (node < 0) return {};
+  return createIndex(nodes_[static_cast<std::size_t>(node)].row, 0, static_cast<quintptr>(node));
+}
+
 int BranchModel::branchAt(const QModelIndex& index) const {
   if (!index.isValid()) return -1;
   const auto node = static_cast<int>(index.internalId());

@@ -26,6 +26,8 @@ class BranchModel : public QAbstractItemModel {
   QModelIndex branchIndex(int branch) const;
   /// The row of the branch that holds a link.
   QModelIndex branchOfLink(std::size_t link) const;
+  /// The row of a link itself.
+  QModelIndex indexOfLink(std::size_t link) const;
   /// -1 for a link's row.
   int branchAt(const QModelIndex& index) const;
 

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
 
 #include "widgets/look/icon.h"
@@ -83,7 +84,37 @@ std::vector<int> BranchPanel::chosenBranches() const {
 }
 
 void BranchPanel::clickLink(std::size_t link, Qt::KeyboardModifiers modifiers) {
-  const QModelIndex branch = model_.branchOfLink(link);
+  clickRow(model_.branchOfLink(link), modifiers);
+}
+
+void BranchPanel::clickSingle(std::size_t link, Qt::KeyboardModifiers modifiers) {
+  clickRow(model_.indexOfLink(link), modifiers);
+}
+
+void BranchPanel::chooseLinks(const std::vector<std::size_t>& links, bool add) {
+  if (!search_->text().isEmpty()) search_->clear();
+  const std::set<std::size_t> wanted(links.begin(), links.end());
+  QItemSelection selection;
+  std::set<int> whole, looked;
+  for (const std::size_t link : wanted) {
+    const QModelIndex branch = model_.branchOfLink(link);
+    const int number = model_.branchAt(branch);
+    if (number >= 0 && looked.insert(number).second) {
+      const std::vector<std::size_t> all = model_.links(branch);
+      if (std::all_of(all.begin(), all.end(), [&](std::size_t l) { return wanted.contains(l); })) whole.insert(number);
+      if (whole.contains(number)) {
+        const QModelIndex row = proxy_.mapFromSource(branch);
+        selection.select(row, row.siblingAtColumn(BranchModel::ColumnCount - 1));
+      }
+    }
+    if (whole.contains(number)) continue;
+    const QModelIndex row = proxy_.mapFromSource(model_.indexOfLink(link));
+    if (row.isValid()) selection.select(row, row.siblingAtColumn(BranchModel::ColumnCount - 1));
+  }
+  view_->selectionModel()->select(selection, add ? QItemSelectionModel::Select : QItemSelectionModel::ClearAndSelect);
+}
+
+void BranchPanel::clickRow(const QModelIndex& branch, Qt::KeyboardModifiers modifiers) {
   if (!branch.isValid()) return;
   QModelIndex index = proxy_.mapFromSource(branch);
   if (!index.isValid()) {  // hidden by the search, which has done its work then

@@ -30,6 +30,10 @@ class BranchPanel : public QWidget {
   std::vector<int> chosenBranches() const;
   /// A click on a link in the view: Shift adds its branch, Ctrl toggles it, otherwise it replaces what is chosen.
   void clickLink(std::size_t link, Qt::KeyboardModifiers modifiers);
+  /// Chooses these links (sorted), beside what is chosen or instead; branches that are whole show as such.
+  void chooseLinks(const std::vector<std::size_t>& links, bool add);
+  /// The same for one link alone, with the modifiers of a click.
+  void clickSingle(std::size_t link, Qt::KeyboardModifiers modifiers);
   void clear();
   void chooseAll();
 
@@ -38,6 +42,7 @@ class BranchPanel : public QWidget {
 
  private:
   void filter(const QString& text);
+  void clickRow(const QModelIndex& row, Qt::KeyboardModifiers modifiers);
 
   BranchModel model_;
   QSortFilterProxyModel proxy_;

@@ -1,5 +1,6 @@
 #include "widgets/plant/plant_workspace.h"
 
+#include <QActionGroup>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,6 +16,8 @@
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 #include "widgets/plant/branch_attributes.h"
+#include "widgets/plant/clip_panel.h"
+#include "widgets/plant/link_choice.h"
 #include "widgets/plant/motion_plot.h"
 #include "widgets/plant/plant_export_dialog.h"
 #include "widgets/plant/plant_settings.h"
@@ -50,7 +53,11 @@ void PlantWorkspace::ClickTool::click(const ViewportEvent& event) {
   workspace_.controller_.requestPose(
       [this, ray, slack = pickSlack(event), modifiers = event.modifiers](const std::vector<mat4>& pose) {
         if (const auto hit = pick(ray, workspace_.feed_.capsules(), pose, slack)) {
-          workspace_.branches_->clickLink(hit->link, modifiers);
+          if (modifiers & Qt::AltModifier) {
+            workspace_.branches_->clickSingle(hit->link, modifiers);
+          } else {
+            workspace_.branches_->clickLink(hit->link, modifiers);
+          }
         } else if (!(modifiers & (Qt::ShiftModifier | Qt::ControlModifier))) {
           workspace_.branches_->clear();
         }
@@ -61,6 +68,13 @@ PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
     : Workspace(parent),
       context_(context),
       feed_(context, controller_, "plant", [this] { return alone(); }),
+      boxTool_(
+          *this,
+          [this](const QRectF& box, const ViewportEvent& event) {
+            const Links links = insideBox(box, feed_.capsules(), controller_.last().pose, event.camera, event.size);
+            branches_->chooseLinks(links, event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier));
+          },
+          [this](const ViewportEvent& event) { click_.click(event); }),
       viewport_(new Viewport),
       inspector_(new QWidget),
       strip_(new QWidget) {
@@ -68,11 +82,7 @@ PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
   viewport_->setSource(&controller_);
   viewport_->setTool(&click_);
   viewport_->setBounds([this] { return bounds(true); }, [this] { return bounds(false); });
-  select_ = new QAction(icon("select"), tr("Choose"), this);
-  select_->setCheckable(true);
-  select_->setChecked(true);
-  select_->setShortcut(Qt::Key_W);
-  select_->setStatusTip(tr("Click a branch to choose it; Shift adds, Ctrl toggles. Drag to look around."));
+  makeTools();
   chooseAll_ = new QAction(tr("Choose All Branches"), this);
   chooseAll_->setShortcut(Qt::Key_A);
   chooseAll_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -82,6 +92,9 @@ PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
   viewport_->addActions({chooseAll_, chooseNone_});
   makeInspector();
   makeStrip();
+  // One tool at a time, those that shape the plant among them.
+  for (QAction* tool : {box_, pull_}) select_->actionGroup()->addAction(tool);
+  makeChoices();
   regrow_.setSingleShot(true);
   regrow_.setInterval(kRegrowPause);
   connect(&regrow_, &QTimer::timeout, this, [this] { feed_.rebuild(false); });
@@ -120,6 +133,15 @@ void PlantWorkspace::makeInspector() {
   auto* column = new QVBoxLayout(inspector_);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(splitter);
+  clips_ = new ClipPanel(
+      context_.document, context_.jobs, *panel,
+      [this] {
+        const auto project = alone();
+        return project ? project->scene.wind : sim::WindSettings();
+      },
+      this);
+  connect(clips_, &ClipPanel::chosenChanged, this, &PlantWorkspace::showClip);
+  connect(clips_, &ClipPanel::message, this, &PlantWorkspace::message);
   connect(branches_, &BranchPanel::chosenChanged, this, &PlantWorkspace::showChosen);
   connect(settings_, &PlantSettings::plantChosen, this, &PlantWorkspace::choosePlant);
   connect(settings_, &PlantSettings::windChanged, this, &PlantWorkspace::setWind);
@@ -148,7 +170,7 @@ void PlantWorkspace::makeStrip() {
   row->addWidget(motion_, 1);
 }
 
-QList<QAction*> PlantWorkspace::tools() { return QList<QAction*>{select_} + shaping_->actions(); }
+QList<QAction*> PlantWorkspace::tools() { return QList<QAction*>{select_, box_, pull_} + shaping_->actions(); }
 
 void PlantWorkspace::add() {
   auto* menu = new QMenu(viewport_);
@@ -199,6 +221,11 @@ void PlantWorkspace::fillMenu(QMenu& menu) {
   menu.addAction(transport_->stepAction());
   menu.addAction(transport_->resetAction());
   menu.addSeparator();
+  menu.addActions({select_, box_, pull_});
+  menu.addSeparator();
+  menu.addActions({pin_, copy_, paste_});
+  menu.addSeparator();
+  menu.addActions(QList<QAction*>(choices_.begin(), choices_.end()));
   menu.addAction(chooseAll_);
   menu.addAction(chooseNone_);
 }
@@ -222,6 +249,8 @@ std::optional<model::Project> PlantWorkspace::alone() const {
   alone.scene.wind = project.scene.wind;
   alone.scene.wind.speed = static_cast<float>(settings_->wind());
   alone.scene.wind.until = sim::WindSettings().until;
+  alone.scene.wind.course = sim::WindCourse::Steady;
+  alone.scene.wind.fans.clear();
   alone.scene.leaves = project.scene.leaves;
   alone.scene.leaves.season = kCalmSeason;
   alone.scene.leaves.spawnHeight = 0;
@@ -274,6 +303,9 @@ void PlantWorkspace::follow(const model::Change& change) {
       showSettings();
       shaping_->show();
       break;
+    case model::Aspect::PlantClips:
+      clips_->show(plant_, loaded());
+      break;
     case model::Aspect::Assets:
       showSettings();
       shaping_->show();
@@ -306,6 +338,8 @@ void PlantWorkspace::activate() {
 void PlantWorkspace::deactivate() {
   active_ = false;
   if (regrow_.isActive()) regrow_.stop(), outdated_ = true;
+  pullTool_.cancel();
+  boxTool_.cancel();
   controller_.pause();
 }
 
@@ -319,6 +353,9 @@ void PlantWorkspace::showPlant() {
   showSettings();
   showData();
   shaping_->show();
+  clips_->show(plant_, plant);
+  showClip();
+  tellAboutPlant();
   showChosen();
   if (framedPlant_ == plant_) return;
   framedPlant_ = plant_;
@@ -387,16 +424,6 @@ void PlantWorkspace::showFrame() {
 
 void PlantWorkspace::setWind(double) {
   if (const std::optional<model::Project> project = alone()) controller_.setWind(project->scene.wind);
-}
-
-std::optional<Box> PlantWorkspace::bounds(bool chosenOnly) const {
-  const std::vector<mat4> pose = feed_.restPose();
-  if (!chosenOnly) return boundsOf(feed_.capsules(), pose);
-  std::vector<LinkCapsule> capsules;
-  for (const std::size_t link : chosen_) {
-    if (link < feed_.capsules().size()) capsules.push_back(feed_.capsules()[link]);
-  }
-  return boundsOf(capsules, pose);
 }
 
 void PlantWorkspace::askForFile() {

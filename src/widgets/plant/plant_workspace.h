@@ -7,7 +7,9 @@
 #include <set>
 #include <QTimer>
 
+#include "widgets/plant/box_tool.h"
 #include "widgets/plant/branch_panel.h"
+#include "widgets/plant/pull_tool.h"
 #include "widgets/scene/scene_feed.h"
 #include "widgets/scene/simulation_controller.h"
 #include "widgets/viewport/viewport.h"
@@ -16,13 +18,14 @@
 namespace windfall::widgets {
 
 class BranchAttributes;
+class ClipPanel;
 class MotionPlot;
 class PlantSettings;
 class SurfacePanel;
 class PlantShaping;
 class Transport;
 
-class PlantWorkspace : public Workspace {
+class PlantWorkspace : public Workspace, private PullHost {
   Q_OBJECT
  public:
   explicit PlantWorkspace(const WorkspaceContext& context, QObject* parent = nullptr);
@@ -62,10 +65,39 @@ class PlantWorkspace : public Workspace {
    public:
     explicit ClickTool(PlantWorkspace& workspace) : workspace_(workspace) {}
     void click(const ViewportEvent& event) override;
+    void paint(QPainter& painter, const OrbitCamera& camera, QSize size) const override {
+      workspace_.paintPins(painter, camera, size);
+    }
 
    private:
     PlantWorkspace& workspace_;
   };
+  /// The other tools, with the pins over the picture.
+  template <class Tool>
+  class WithPins : public Tool {
+   public:
+    template <class... Arguments>
+    explicit WithPins(PlantWorkspace& workspace, Arguments&&... arguments)
+        : Tool(std::forward<Arguments>(arguments)...), workspace_(workspace) {}
+    void paint(QPainter& painter, const OrbitCamera& camera, QSize size) const override {
+      workspace_.paintPins(painter, camera, size);
+      Tool::paint(painter, camera, size);
+    }
+
+   private:
+    PlantWorkspace& workspace_;
+  };
+
+  const std::vector<LinkCapsule>& pullCapsules() const override { return feed_.capsules(); }
+  const std::vector<mat4>& pullPose() const override { return controller_.last().pose; }
+  void pull(const std::optional<sim::Pull>& pull) override;
+  void paintPins(QPainter& painter, const OrbitCamera& camera, QSize size) const;
+  void makeTools();
+  void makeChoices();
+  void choose(const std::function<std::vector<std::size_t>(const sim::Tree&, const std::vector<std::size_t>&)>& wanted);
+  const sim::Tree* tree() const;
+  void showClip();
+  void tellAboutPlant();
 
   std::optional<model::Project> alone() const;
   model::LoadedPlant loaded() const;
@@ -96,6 +128,8 @@ class PlantWorkspace : public Workspace {
   SimulationController controller_;
   SceneFeed feed_;
   ClickTool click_{*this};
+  WithPins<BoxTool> boxTool_;
+  WithPins<PullTool> pullTool_{*this, static_cast<PullHost&>(*this)};
   QPointer<Viewport> viewport_;  ///< may go before the workspace, with its window
   QWidget *inspector_, *strip_;
   BranchPanel* branches_ = nullptr;
@@ -108,8 +142,12 @@ class PlantWorkspace : public Workspace {
   std::map<model::AssetId, QString> exports_;  ///< where each plant went last
   QJsonObject exportValues_;
   PlantShaping* shaping_ = nullptr;
+  ClipPanel* clips_ = nullptr;
   Transport* transport_ = nullptr;
   MotionPlot* motion_ = nullptr;
+  QAction *box_ = nullptr, *pull_ = nullptr, *pin_ = nullptr, *copy_ = nullptr, *paste_ = nullptr;
+  std::vector<QAction*> choices_;  ///< what chooses by chain, order, children
+  model::AssetId toldPlant_;
   QAction *select_ = nullptr, *chooseAll_ = nullptr, *chooseNone_ = nullptr;
   std::vector<std::size_t> chosen_;  ///< links
   std::optional<std::size_t> tipLink_;

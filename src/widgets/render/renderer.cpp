@@ -18,6 +18,7 @@
 #include "widgets/render/shader_program.h"
 #include "widgets/render/shadow_map.h"
 #include "widgets/render/sky_model.h"
+#include "widgets/render/streak_pass.h"
 #include "widgets/render/tree_pass.h"
 
 namespace windfall::render {
@@ -33,6 +34,7 @@ struct Renderer::Impl {
   TreePass trees;
   DetailPass detail;
   LeafPass leaves;
+  StreakPass streaks;
   PictureTarget target;
   ShadowMap shadow;
   SceneExtent extent;
@@ -77,7 +79,8 @@ Status Renderer::Impl::compile() {
         link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
         link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
         link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
-        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile()}) {
+        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile(),
+        streaks.compile()}) {
     if (!status) return status;
   }
   return ok();
@@ -192,7 +195,7 @@ void Renderer::Impl::drawPicture(const View& view) {
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glUseProgram(sky.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  counts.calls += 2;
+  counts.calls += 2 + streaks.draw(view.streaks, view.streakPoints);
 }
 
 void Renderer::Impl::drawPresent(const View& view, unsigned framebuffer) {

@@ -21,6 +21,8 @@ struct View {
   float time = 0;                          ///< s, for clouds and grass
   vec3 wind{0};                            ///< m/s, for clouds and grass
   float season = 0;                        ///< 0 summer .. 1 end of autumn: leaves turn
+  std::vector<vec4> streaks;               ///< threads of air: place and opacity, the newest point of each first
+  int streakPoints = 0;                    ///< of each thread
   std::vector<std::uint32_t> highlighted;  ///< links of all trees, in the bone buffer's order
   /// Of each link instead of its bark, 0xAABBGGRR in sRGB, alpha 0: bark; the bone buffer's order. Empty: bark for all.
   std::vector<std::uint32_t> linkColors;

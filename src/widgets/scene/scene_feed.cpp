@@ -68,6 +68,7 @@ void SceneFeed::rebuild(bool restore) {
 }
 
 void SceneFeed::take(std::shared_ptr<Assembly> assembly, const model::Project& project, bool restore) {
+  const std::vector<int> kept = restore ? std::vector<int>() : keptTrees(assembly->scene, project);
   assembly_ = std::move(assembly);
   placements_ = project.scene.trees;
   restore_ = false;
@@ -78,7 +79,8 @@ void SceneFeed::take(std::shared_ptr<Assembly> assembly, const model::Project& p
     spans_.push_back({assembly_->scene.trees[i], capsules_.size(), capsules.size()});
     capsules_.insert(capsules_.end(), capsules.begin(), capsules.end());
   }
-  controller_.setScene(assembly_->scene.sim, assembly_->content, restore ? project.simulation.bytes : QByteArray());
+  controller_.setScene(assembly_->scene.sim, assembly_->content, restore ? project.simulation.bytes : QByteArray(),
+                       false, kept);
   // While the job ran the document may have moved on.
   if (const std::optional<model::Project> now = source_()) {
     for (const auto& [plant, loaded] : assembly_->scene.plants) {
@@ -89,6 +91,32 @@ void SceneFeed::take(std::shared_ptr<Assembly> assembly, const model::Project& p
     passSettings(*now);
   }
   emit assembled();
+}
+
+/// For each tree of a scene the one of the scene before that it is: same plant, same shape. Empty where none is.
+std::vector<int> SceneFeed::keptTrees(const model::SceneAssembly& scene, const model::Project& project) const {
+  std::vector<int> kept;
+  bool any = false;
+  for (std::size_t i = 0; assembly_ && i < scene.trees.size(); ++i) {
+    const model::TreePlacement* tree = project.tree(scene.trees[i]);
+    const auto old = std::find_if(placements_.begin(), placements_.end(), [&](const model::TreePlacement& before) {
+      return tree != nullptr && before.id == tree->id && before.plant == tree->plant && before.scale == tree->scale;
+    });
+    int from = -1;
+    if (old != placements_.end()) {
+      const auto& trees = assembly_->scene.trees;
+      const auto at = std::find(trees.begin(), trees.end(), old->id);
+      const auto shapeIn = [&](const model::SceneAssembly& which) {
+        const auto plant = which.plants.find(old->plant);
+        return plant == which.plants.end() ? nullptr : plant->second.geometry;
+      };
+      const bool same = at != trees.end() && shapeIn(scene) && shapeIn(scene) == shapeIn(assembly_->scene);
+      if (same) from = static_cast<int>(at - trees.begin());
+    }
+    any = any || from >= 0;
+    kept.push_back(from);
+  }
+  return any ? kept : std::vector<int>();
 }
 
 bool SceneFeed::follow(const model::Change& change) {
@@ -175,8 +203,7 @@ void SceneFeed::place(const model::Project& project) {
     placement = wanted;
   }
   placements_ = project.scene.trees;
-  // A standing simulation shows the poses it was left with, which are those of the old places: it starts anew.
-  if (moved) controller_.setScene(assembly_->scene.sim, nullptr, {}, controller_.isPlaying());
+  if (moved) controller_.setScene(assembly_->scene.sim, nullptr, {}, true);
 }
 
 void SceneFeed::passTrees(model::AssetId plant) {

@@ -56,6 +56,7 @@ class SceneFeed : public QObject {
     std::shared_ptr<render::SceneContent> content;
   };
   void take(std::shared_ptr<Assembly> assembly, const model::Project& project, bool restore);
+  std::vector<int> keptTrees(const model::SceneAssembly& scene, const model::Project& project) const;
   void passTrees(model::AssetId plant);
   void passSettings(const model::Project& project);
   /// A number below 0 stands for as many as the trees have places for.

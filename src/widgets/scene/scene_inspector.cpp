@@ -32,12 +32,15 @@ SceneInspector::SceneInspector(model::Document& document, SceneSelection& select
                                QWidget* parent)
     : FieldPanel("scene", parent), document_(document), selection_(selection), controller_(controller) {
   addWind();
+  addCourse();
+  addFan();
   addLeaves();
   addTrees();
   addLight();
   addSolver();
   addDevice();
   connect(&selection_, &SceneSelection::changed, this, &SceneInspector::showTrees);
+  connect(&selection_, &SceneSelection::fanChanged, this, &SceneInspector::showFan);
   connect(&controller_, &SimulationController::reported, this, &SceneInspector::showDevice);
   follow({});
 }
@@ -73,6 +76,14 @@ void SceneInspector::addWind() {
     wind.direction = now.direction;
     wind.until = now.until;
     wind.seed = now.seed;
+    wind.canopyHeight = now.canopyHeight;
+    wind.shelter = now.shelter;
+    wind.course = now.course;
+    wind.repeat = now.repeat;
+    wind.curve = now.curve;
+    wind.records = now.records;
+    wind.recordName = now.recordName;
+    wind.fans = now.fans;
     return wind;
   };
   connect(preset, &PresetField::edited, this, [this, preset, part, fresh](int index) {
@@ -209,6 +220,7 @@ void SceneInspector::follow(const model::Change& change) {
     case model::Aspect::Light:
     case model::Aspect::Solver:
       for (const auto& show : shows_) show(document_.project().scene);
+      showFan();
       if (change.aspect == model::Aspect::Everything) showTrees();
       break;
     case model::Aspect::Assets:

@@ -18,6 +18,7 @@ class ChoiceField;
 class DialField;
 class InfoField;
 class NumberField;
+class WindCurveEditor;
 struct NumberSpec;
 
 class SceneInspector : public FieldPanel {
@@ -32,11 +33,17 @@ class SceneInspector : public FieldPanel {
   void setRendererName(const QString& name);
   /// Field by its name in the window's texts' language-independent key ("wind.speed"), for tests and links to a place.
   QWidget* field(const QString& key) const;
+  void setStreaks(bool on);
 
  signals:
   void addTreeWanted();
   void duplicateWanted();
   void deleteWanted();
+  void fanWanted();
+  void fanDeleteWanted();
+  /// A table of recorded wind is to be chosen.
+  void recordWanted();
+  void streaksWanted(bool on);
 
  private:
   template <class Settings>
@@ -47,6 +54,17 @@ class SceneInspector : public FieldPanel {
                           std::function<double(const model::TreePlacement&)> get,
                           std::function<void(model::TreePlacement&, double)> set);
   void addWind();
+  void addCourse();
+  void addFan();
+  void showFan();
+  void editWind(const std::function<void(sim::WindSettings&)>& edit, const QString& text, const QString& merge = {});
+  NumberField* windNumber(FieldGroup* group, const QString& key, const QString& label, const NumberSpec& spec,
+                          std::function<double(const sim::WindSettings&)> get,
+                          std::function<void(sim::WindSettings&, double)> set);
+  NumberField* fanNumber(const QString& key, const QString& label, const NumberSpec& spec,
+                         std::function<double(const sim::Fan&)> get, std::function<void(sim::Fan&, double)> set);
+  void editFan(const std::function<void(sim::Fan&)>& edit, const QString& text, const QString& merge = {});
+  const sim::Fan* chosenFan() const;
   void addLeaves();
   void addLight();
   void addSolver();
@@ -63,6 +81,12 @@ class SceneInspector : public FieldPanel {
   SimulationController& controller_;
   std::vector<std::function<void(const model::Scene&)>> shows_;
   std::vector<std::function<void(const std::vector<const model::TreePlacement*>&)>> treeShows_;
+  WindCurveEditor* curve_ = nullptr;
+  FieldGroup* fan_ = nullptr;
+  QLabel* noFan_ = nullptr;
+  QPushButton* placeFan_ = nullptr;
+  std::vector<QWidget*> fanRows_;
+  std::vector<std::function<void(const sim::Fan&)>> fanShows_;
   FieldGroup* trees_ = nullptr;
   QLabel* noTree_ = nullptr;
   std::vector<QWidget*> treeRows_;

@@ -20,6 +20,13 @@ class SceneSelection : public QObject {
     trees_ = std::move(trees);
     emit changed();
   }
+  /// Index of the chosen fan among the wind's, or -1.
+  int fan() const { return fan_; }
+  void setFan(int fan) {
+    if (fan == fan_) return;
+    fan_ = fan;
+    emit fanChanged();
+  }
   /// Shift adds, Ctrl toggles, a plain click replaces; 0 clears unless a modifier is held.
   void click(model::AssetId tree, Qt::KeyboardModifiers modifiers) {
     std::vector<model::AssetId> trees =
@@ -35,8 +42,10 @@ class SceneSelection : public QObject {
 
  signals:
   void changed();
+  void fanChanged();
 
  private:
+  int fan_ = -1;
   std::vector<model::AssetId> trees_;
 };
 

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "widgets/scene/fan_tool.h"
+
 namespace windfall::widgets {
 namespace {
 
@@ -51,6 +53,10 @@ void paintRing(QPainter& painter, const OrbitCamera& camera, QSize size, const m
 }  // namespace
 
 void SelectTreesTool::click(const ViewportEvent& event) {
+  const std::vector<sim::Fan>& fans = host_.document().project().scene.wind.fans;
+  const FanHit fan = fanAt(event.position, event.camera, event.size, fans);
+  host_.selection().setFan(fan.fan);
+  if (fan.fan >= 0) return;
   const model::AssetId tree = host_.treeAt(event.camera.ray(event.position, event.size), pickSlack(event), nullptr);
   host_.selection().click(tree, event.modifiers);
 }
@@ -63,6 +69,7 @@ bool SelectTreesTool::grab(const ViewportEvent& event, vec3* place) {
 }
 
 void SelectTreesTool::paint(QPainter& painter, const OrbitCamera& camera, QSize size) const {
+  paintFans(painter, camera, size, host_.document().project().scene.wind.fans, host_.selection().fan());
   for (const model::AssetId id : host_.selection().trees()) {
     if (const model::TreePlacement* tree = host_.document().project().tree(id)) {
       paintRing(painter, camera, size, *tree, false);
@@ -133,6 +140,7 @@ bool TurnTreesTool::press(const ViewportEvent& event) {
 }
 
 void TurnTreesTool::paint(QPainter& painter, const OrbitCamera& camera, QSize size) const {
+  paintFans(painter, camera, size, host_.document().project().scene.wind.fans, host_.selection().fan());
   for (const model::AssetId id : host_.selection().trees()) {
     if (const model::TreePlacement* tree = host_.document().project().tree(id)) {
       paintRing(painter, camera, size, *tree, true);

@@ -1,11 +1,14 @@
 #include "widgets/scene/scene_workspace.h"
 
 #include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
 #include <cmath>
 
+#include "model/scene/wind_csv.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
 #include "widgets/scene/device_button.h"
@@ -42,7 +45,7 @@ SceneWorkspace::SceneWorkspace(const WorkspaceContext& context, QObject* parent)
   connect(&selection_, &SceneSelection::changed, this, [this] {
     controller_.setHighlighted(feed_.linksOf(selection_.trees()));
     duplicate_->setEnabled(!selection_.trees().empty());
-    delete_->setEnabled(!selection_.trees().empty());
+    delete_->setEnabled(selection_.fan() >= 0 || !selection_.trees().empty());
     viewport_->update();
   });
   connect(&feed_, &SceneFeed::assembled, this, [this] {
@@ -55,6 +58,16 @@ SceneWorkspace::SceneWorkspace(const WorkspaceContext& context, QObject* parent)
   connect(inspector_, &SceneInspector::addTreeWanted, this, &SceneWorkspace::addTree);
   connect(inspector_, &SceneInspector::duplicateWanted, this, &SceneWorkspace::duplicateTrees);
   connect(inspector_, &SceneInspector::deleteWanted, this, &SceneWorkspace::deleteTrees);
+  connect(inspector_, &SceneInspector::fanWanted, this, [this] {
+    const Ray ray =
+        viewport_->camera().ray(QPointF(viewport_->width() * 0.3, viewport_->height() * 0.75), viewport_->size());
+    fan_.placeFan(meetGround(ray, 0).value_or(vec3(-3, 0, 0)));
+    fanAction_->setChecked(true);
+  });
+  connect(inspector_, &SceneInspector::fanDeleteWanted, this, [this] { fan_.removeChosen(); });
+  connect(inspector_, &SceneInspector::recordWanted, this, &SceneWorkspace::askForRecord);
+  connect(inspector_, &SceneInspector::streaksWanted, this, &SceneWorkspace::setStreaks);
+  connect(&selection_, &SceneSelection::fanChanged, viewport_.data(), qOverload<>(&QWidget::update));
   connect(&context_.document, &model::Document::changed, this, &SceneWorkspace::follow);
   follow({});
 }
@@ -93,6 +106,15 @@ void SceneWorkspace::makeTools() {
       ->setChecked(true);
   addTool(move_, "move", tr("Move"), tr("Drag a tree over the ground."), Qt::Key_G);
   addTool(turn_, "loop", tr("Turn"), tr("Drag a tree to turn it; Shift snaps to 15 degrees."), Qt::Key_R);
+  fanAction_ =
+      addTool(fan_, "fan", tr("Fan"),
+              tr("Click the ground to place a fan. Drag it over the ground (Shift: up and down), or the tip of its "
+                 "arrow to turn it."),
+              Qt::Key_F);
+  streaks_ = new QAction(icon("wind"), tr("Show the Wind"), this);
+  streaks_->setCheckable(true);
+  streaks_->setShortcut(QKeySequence("Shift+W"));
+  connect(streaks_, &QAction::toggled, this, &SceneWorkspace::setStreaks);
   duplicate_ = new QAction(icon("duplicate"), tr("Duplicate Trees"), this);
   duplicate_->setShortcut(QKeySequence("Shift+D"));
   delete_ = new QAction(icon("delete"), tr("Delete Trees"), this);
@@ -107,7 +129,9 @@ void SceneWorkspace::makeTools() {
   duplicate_->setEnabled(false);
   delete_->setEnabled(false);
   connect(duplicate_, &QAction::triggered, this, &SceneWorkspace::duplicateTrees);
-  connect(delete_, &QAction::triggered, this, &SceneWorkspace::deleteTrees);
+  connect(delete_, &QAction::triggered, this, [this] { selection_.fan() >= 0 ? fan_.removeChosen() : deleteTrees(); });
+  connect(&selection_, &SceneSelection::fanChanged, this,
+          [this] { delete_->setEnabled(selection_.fan() >= 0 || !selection_.trees().empty()); });
   connect(selectAll_, &QAction::triggered, this, [this] {
     std::vector<model::AssetId> all;
     for (const model::TreePlacement& tree : context_.document.project().scene.trees) all.push_back(tree.id);
@@ -136,6 +160,8 @@ void SceneWorkspace::fillMenu(QMenu& menu) {
   menu.addAction(transport_->resetAction());
   menu.addSeparator();
   menu.addActions(toolGroup_->actions());
+  menu.addAction(streaks_);
+  menu.addAction(icon("open"), tr("Load Recorded Wind…"), this, &SceneWorkspace::askForRecord);
   menu.addSeparator();
   QAction* add = menu.addAction(icon("add"), tr("Add Tree"), this, &SceneWorkspace::addTree);
   add->setShortcut(QKeySequence("Shift+A"));
@@ -151,6 +177,7 @@ void SceneWorkspace::deactivate() {
   select_.cancel();
   move_.cancel();
   turn_.cancel();
+  fan_.cancel();
 }
 
 void SceneWorkspace::show(model::AssetId asset) {
@@ -188,10 +215,44 @@ void SceneWorkspace::follow(const model::Change& change) {
     if (context_.document.project().tree(id)) alive.push_back(id);
   }
   selection_.set(alive);
+  if (selection_.fan() >= static_cast<int>(context_.document.project().scene.wind.fans.size())) selection_.setFan(-1);
   feed_.follow(change);
   inspector_->follow(change);
   showHint();
 }
+
+bool SceneWorkspace::openFile(const QString& path) {
+  if (QFileInfo(path).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) != 0) return false;
+  loadRecord(path);
+  return true;
+}
+
+void SceneWorkspace::askForRecord() {
+  const QString path =
+      QFileDialog::getOpenFileName(viewport_, tr("Load Recorded Wind"), {}, tr("Tables (*.csv *.txt)"));
+  if (!path.isEmpty()) loadRecord(path);
+}
+
+void SceneWorkspace::loadRecord(const QString& path) {
+  sim::WindSettings wind = context_.document.project().scene.wind;
+  if (const Status read = model::readWindFile(path, wind); !read) {
+    emit message(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(read.error().message)),
+                 true);
+    return;
+  }
+  context_.document.setScene(&model::Scene::wind, wind, model::Aspect::Wind, tr("Load recorded wind"));
+  emit message(
+      tr("%1: %n rows of wind", nullptr, static_cast<int>(wind.records.size())).arg(QFileInfo(path).fileName()), false);
+}
+
+void SceneWorkspace::setStreaks(bool on) {
+  controller_.setStreaks(on);
+  streaks_->setChecked(on);
+  inspector_->setStreaks(on);
+}
+
+QJsonObject SceneWorkspace::saveView() const { return {{"streaks", streaks_->isChecked()}}; }
+void SceneWorkspace::restoreView(const QJsonObject& view) { setStreaks(view["streaks"].toBool()); }
 
 void SceneWorkspace::showHint() {
   const model::Project& project = context_.document.project();

@@ -3,6 +3,7 @@
 
 #include <QPointer>
 
+#include "widgets/scene/fan_tool.h"
 #include "widgets/scene/scene_feed.h"
 #include "widgets/scene/scene_selection.h"
 #include "widgets/scene/scene_tools.h"
@@ -39,6 +40,9 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   void show(model::AssetId asset) override;
   bool isSettled() const override;
   void beforeSave() override;
+  bool openFile(const QString& path) override;
+  QJsonObject saveView() const override;
+  void restoreView(const QJsonObject& view) override;
 
   SimulationController& controller() { return controller_; }
   SceneFeed& feed() { return feed_; }
@@ -58,6 +62,9 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   void duplicateTrees();
   void deleteTrees();
   void frameAll();
+  void loadRecord(const QString& path);
+  void askForRecord();
+  void setStreaks(bool on);
   std::optional<Box> boundsOfTrees(bool chosenOnly) const;
   QAction* addTool(ViewportTool& tool, const QString& iconName, const QString& text, const QString& help,
                    const QKeySequence& shortcut);
@@ -69,6 +76,7 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   SelectTreesTool select_{*this};
   MoveTreesTool move_{*this};
   TurnTreesTool turn_{*this};
+  FanTool fan_{*this};
   QPointer<Viewport> viewport_;  ///< may go before the workspace, with its window
   SceneInspector* inspector_;
   QWidget *strip_, *device_;
@@ -76,6 +84,7 @@ class SceneWorkspace : public Workspace, private SceneToolHost {
   HistoryPlot* timers_ = nullptr;
   LeafCounts* counts_ = nullptr;
   QActionGroup* toolGroup_ = nullptr;
+  QAction *streaks_ = nullptr, *fanAction_ = nullptr;
   QAction *duplicate_ = nullptr, *delete_ = nullptr, *selectAll_ = nullptr;
   bool framed_ = false, keepingCamera_ = false;
 };

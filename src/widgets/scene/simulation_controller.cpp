@@ -1,5 +1,6 @@
 #include "widgets/scene/simulation_controller.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -25,9 +26,24 @@ SimulationController::~SimulationController() {
 }
 
 void SimulationController::setScene(sim::SceneDescription scene, std::shared_ptr<render::SceneContent> content,
-                                    const QByteArray& state, bool keepMotion) {
+                                    const QByteArray& state, bool keepMotion, std::vector<int> keep) {
   hasScene_ = true;
   ++sceneNumber_;
+  QByteArray start = state;
+  // A scene that was never begun has no motion of its own: what it was to go on from counts.
+  if (pending_.engine && !pending_.engine->keepMotion) {
+    const EngineRequest& skipped = *pending_.engine;
+    if (keepMotion) {
+      keepMotion = false;
+      keep = skipped.keep;
+      start = toQt(skipped.state);
+    } else {
+      for (int& tree : keep) {
+        const auto at = static_cast<std::size_t>(tree);
+        tree = tree >= 0 && at < skipped.keep.size() ? skipped.keep[at] : -1;
+      }
+    }
+  }
   pending_.wantState = false;
   scene_ = scene;
   if (content) {
@@ -38,7 +54,7 @@ void SimulationController::setScene(sim::SceneDescription scene, std::shared_ptr
   pending_.wind.reset();
   pending_.leaves.reset();
   pending_.trees.clear();
-  pending_.engine = EngineRequest{std::move(scene), device_, {state.begin(), state.end()}, keepMotion};
+  pending_.engine = EngineRequest{std::move(scene), device_, {start.begin(), start.end()}, keepMotion, std::move(keep)};
   frameOutdated_ = true;
   pump();
 }
@@ -81,6 +97,26 @@ void SimulationController::setTree(std::size_t instance, std::shared_ptr<const s
   } else {
     pending_.trees[instance] = std::move(tree);
   }
+  frameOutdated_ = true;
+  emit redrawWanted();
+}
+
+void SimulationController::setPull(const std::optional<sim::Pull>& pull) {
+  pending_.pull = pull;
+  frameOutdated_ = true;
+  emit redrawWanted();
+}
+
+void SimulationController::setClip(std::shared_ptr<const ClipPlay> clip) {
+  clip_ = std::move(clip);
+  clipTime_ = 0;
+  frameOutdated_ = true;
+  emit redrawWanted();
+}
+
+void SimulationController::setStreaks(bool on) {
+  if (on == streaks_) return;
+  streaks_ = on;
   frameOutdated_ = true;
   emit redrawWanted();
 }
@@ -253,10 +289,18 @@ void SimulationController::prepare(render::Renderer& renderer) {
   FrameTask task = takePending();
   task.slot = slot;
   task.wantPose = poseWatched_ || !poseCallbacks_.empty();
+  task.wantStreaks = streaks_;
+  task.clip = clip_;
   if (playing_ && task.motion == Motion::None) {
-    task.motion = Motion::Advance;
-    task.elapsed = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+    const double elapsed = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+    if (clip_) {
+      clipTime_ += std::min(elapsed, 0.25);
+    } else {
+      task.motion = Motion::Advance;
+      task.elapsed = elapsed;
+    }
   }
+  task.clipTime = clipTime_;
   clock_.start();
   frameOutdated_ = false;
   post(std::move(task));
@@ -274,6 +318,10 @@ void SimulationController::describe(render::View& view) const {
   view.linkColors = linkColors_;
   // Only whole meshes know which link a piece of bark belongs to.
   if (!linkColors_.empty()) view.adaptive = false;
+  if (streaks_) {
+    view.streaks = last_.streaks;
+    view.streakPoints = sim::WindStreaks::kPoints;
+  }
 }
 
 void SimulationController::release() {

@@ -28,7 +28,7 @@ class SimulationController : public QObject, public FrameSource {
   /// A new scene with its pictures; `content.leafCount` is set by the controller. `state` as of sim::Engine::save;
   /// `keepMotion` goes on where the scene before was, if it fits. A null content keeps the one that is there.
   void setScene(sim::SceneDescription scene, std::shared_ptr<render::SceneContent> content,
-                const QByteArray& state = {}, bool keepMotion = false);
+                const QByteArray& state = {}, bool keepMotion = false, std::vector<int> keep = {});
   /// No scene: an empty ground.
   void clear();
   bool hasScene() const { return hasScene_; }
@@ -36,6 +36,14 @@ class SimulationController : public QObject, public FrameSource {
   void setWind(const sim::WindSettings& wind);
   void setLeaves(const sim::LeafSettings& leaves);
   void setTree(std::size_t instance, std::shared_ptr<const sim::Tree> tree);
+  /// A hand on a branch while it runs; nothing: lets go.
+  void setPull(const std::optional<sim::Pull>& pull);
+  /// Shows a recorded motion instead of the simulation, from its start; null: the simulation again.
+  void setClip(std::shared_ptr<const ClipPlay> clip);
+  bool playsClip() const { return clip_ != nullptr; }
+  double clipTime() const { return clipTime_; }
+  /// Threads of air in the picture.
+  void setStreaks(bool on);
   /// The scene goes on on another device.
   void setDevice(sim::Device device);
   sim::Device wantedDevice() const { return device_; }
@@ -114,6 +122,9 @@ class SimulationController : public QObject, public FrameSource {
   vec3 toSun_{0.5f, 0.6f, 0.6f};
   float sunStrength_ = 1;
   std::vector<std::uint32_t> highlighted_, linkColors_;
+  std::shared_ptr<const ClipPlay> clip_;
+  double clipTime_ = 0;  ///< s
+  bool streaks_ = false;
 };
 
 }  // namespace windfall::widgets

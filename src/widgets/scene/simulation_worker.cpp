@@ -8,15 +8,25 @@ namespace windfall::widgets {
 std::string SimulationWorker::makeEngine(EngineRequest request) {
   std::vector<std::uint8_t> before;
   if (request.keepMotion && engine_) before = engine_->save();
-  engine_.reset();
+  std::unique_ptr<sim::Engine> old = std::move(engine_);
+  if (request.keep.empty()) old.reset();
   Result<std::unique_ptr<sim::Engine>> made = sim::Engine::create(std::move(request.scene), request.device);
   if (!made) return made.error().message;
   engine_ = std::move(*made);
   // A motion of another scene is no error: the new one starts at rest.
   if (!before.empty() && engine_->restore(before)) return {};
+  if (old) engine_->adopt(*old, request.keep);
   if (request.state.empty()) return {};
   const Status restored = engine_->restore(request.state);
   return restored ? std::string() : restored.error().message;
+}
+
+void SimulationWorker::advanceStreaks(double seconds, bool wanted) {
+  if (wanted) {
+    streaks_.advance(seconds, engine_->windView());
+  } else {
+    streaks_.clear();
+  }
 }
 
 FrameResult SimulationWorker::run(FrameTask task) {
@@ -31,6 +41,8 @@ FrameResult SimulationWorker::run(FrameTask task) {
   if (task.wind) engine_->setWind(*task.wind);
   if (task.leaves) engine_->setLeaves(*task.leaves);
   for (auto& [instance, tree] : task.trees) engine_->setTree(instance, std::move(tree));
+  if (task.pull) engine_->setPull(*task.pull);
+  const double before = engine_->time();
   switch (task.motion) {
     case Motion::None:
       break;
@@ -42,13 +54,19 @@ FrameResult SimulationWorker::run(FrameTask task) {
       break;
     case Motion::Reset:
       engine_->reset();
+      streaks_.clear();
       break;
   }
+  if (task.motion != Motion::None) advanceStreaks(engine_->time() - before, task.wantStreaks);
+  if (task.wantStreaks) result.streaks.assign(streaks_.points().begin(), streaks_.points().end());
   result.linkCount = engine_->linkCount();
   result.leafCount = engine_->leafCount();
   if (task.slot.index >= 0 && task.slot.bones.size() == result.linkCount &&
       task.slot.leaves.size() == result.leafCount) {
-    if (task.wantPose) {
+    if (task.clip) {
+      result.pose = task.clip->pose(task.clipTime);
+      engine_->writePosed(result.pose, task.slot.bones, task.slot.leaves);
+    } else if (task.wantPose) {
       // The slot is write-only memory, so the pose takes the way round.
       result.pose.resize(result.linkCount);
       engine_->write(result.pose, task.slot.leaves);
