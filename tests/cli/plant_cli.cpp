@@ -51,8 +51,9 @@ void PlantCliTest::infoPrintsOneObject() {
   QCOMPARE(run.status, 0);
   const QJsonObject info = QJsonDocument::fromJson(run.out).object();
   QCOMPARE(info.keys(),
-           (QStringList{"bones", "boundingBox", "buds", "chains", "depth", "firstFrequency", "format", "leaves", "mass",
-                        "maxInfluences", "nodes", "plants", "rigidBodies", "stems", "totalStemLength"}));
+           (QStringList{"bones", "boundingBox", "buds", "chains", "clips", "depth", "firstFrequency", "format", "leaves",
+                        "mass", "maxInfluences", "nodes", "notes", "plants", "rigidBodies", "selfBuckling", "stems",
+                        "totalStemLength"}));
   QCOMPARE(info["bones"].toInt(), 2);
   QCOMPARE(info["depth"].toInt(), 2);
   QCOMPARE(info["leaves"].toInt(), 1);

@@ -52,6 +52,10 @@ class BranchToolsTest : public QObject {
     QApplication::sendEvent(&view(), &move);
   }
   vec3 tipOf(std::size_t link) { return vec3(last().pose[link] * vec4(workspace_->feed().capsules()[link].to, 1)); }
+  void setWind(double speed) {
+    field<NumberField>("plant.wind")->setValue(speed);
+    emit field<NumberField>("plant.wind")->edited(speed, true);
+  }
   void waitSeconds(double seconds) {
     const double until = last().statistics.time + seconds;
     QTRY_VERIFY_WITH_TIMEOUT(last().statistics.time >= until, 60000);
@@ -84,13 +88,13 @@ class BranchToolsTest : public QObject {
     project.nextId = 2;
     document_->open(project, {});
     QVERIFY(window_->settle());
-    emit field<NumberField>("plant.wind")->edited(0, true);
+    setWind(0);
     QVERIFY(window_->settle());
   }
 
   void boxOrderChainAndChildrenChoose() {
     view().setFocus();
-    QTest::keyClick(window_.get(), Qt::Key_B);
+    QTest::keyClick(window_.get(), Qt::Key_B, Qt::ShiftModifier);
     QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(2, 2));
     sendMove(QPoint(100, 100));
     sendMove(QPoint(view().width() - 3, view().height() - 3));
@@ -111,7 +115,7 @@ class BranchToolsTest : public QObject {
     QVERIFY(order.size() > branch.size());
     for (const std::size_t i : order) QCOMPARE(tree().links[i].order, 1);
     workspace_->branches().chooseLinks({0}, false);
-    QTest::keyClick(&view(), Qt::Key_C);
+    QTest::keyClick(&view(), Qt::Key_K);
     QCOMPARE(workspace_->branches().chosenLinks().size(), tree().links.size());
     QVERIFY(field<InfoField>("branch.frequency") != nullptr);
     QTRY_VERIFY(field<InfoField>("branch.frequency")->value().endsWith("Hz"));
@@ -165,10 +169,10 @@ class BranchToolsTest : public QObject {
     workspace_->branches().chooseLinks({link}, false);
     view().setFocus();
     QTest::keyClick(&view(), Qt::Key_L);
-    QTest::keyClick(&view(), Qt::Key_P);
+    QTest::keyClick(&view(), Qt::Key_P, Qt::ShiftModifier);
     QVERIFY(field<CheckField>("link.pinned")->value());
     QCOMPARE(plant().edits.size(), workspace_->branches().chosenLinks().size());
-    emit field<NumberField>("plant.wind")->edited(20, true);
+    setWind(20);
     workspace_->controller().play();
     waitSeconds(1.5);
     float pinned = 0, free = 0;
@@ -188,7 +192,7 @@ class BranchToolsTest : public QObject {
   }
 
   void aClipIsBakedPlayedUndoneAndSaved() {
-    emit field<NumberField>("plant.wind")->edited(10, true);
+    setWind(10);
     field<NumberField>("clip.length")->setValue(1.5);
     QTest::mouseClick(field<QPushButton>("clip.bake"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(plant().clips.size(), std::size_t{1}, 60000);
