@@ -94,7 +94,7 @@ class BranchToolsTest : public QObject {
 
   void boxOrderChainAndChildrenChoose() {
     view().setFocus();
-    QTest::keyClick(window_.get(), Qt::Key_B);
+    QTest::keyClick(window_.get(), Qt::Key_B, Qt::ShiftModifier);
     QTest::mousePress(&view(), Qt::LeftButton, {}, QPoint(2, 2));
     sendMove(QPoint(100, 100));
     sendMove(QPoint(view().width() - 3, view().height() - 3));
@@ -115,7 +115,7 @@ class BranchToolsTest : public QObject {
     QVERIFY(order.size() > branch.size());
     for (const std::size_t i : order) QCOMPARE(tree().links[i].order, 1);
     workspace_->branches().chooseLinks({0}, false);
-    QTest::keyClick(&view(), Qt::Key_C);
+    QTest::keyClick(&view(), Qt::Key_K);
     QCOMPARE(workspace_->branches().chosenLinks().size(), tree().links.size());
     QVERIFY(field<InfoField>("branch.frequency") != nullptr);
     QTRY_VERIFY(field<InfoField>("branch.frequency")->value().endsWith("Hz"));
@@ -169,7 +169,7 @@ class BranchToolsTest : public QObject {
     workspace_->branches().chooseLinks({link}, false);
     view().setFocus();
     QTest::keyClick(&view(), Qt::Key_L);
-    QTest::keyClick(&view(), Qt::Key_P);
+    QTest::keyClick(&view(), Qt::Key_P, Qt::ShiftModifier);
     QVERIFY(field<CheckField>("link.pinned")->value());
     QCOMPARE(plant().edits.size(), workspace_->branches().chosenLinks().size());
     setWind(20);

@@ -22,7 +22,7 @@ const QLatin1String kClipboard("windfallBranch");
 void BranchAttributes::addPinned(FieldGroup* group) {
   auto* field = group->add(new CheckField(tr("Pinned"), false));
   field->setObjectName("link.pinned");
-  field->setToolTip(tr("Stands still, with all that carries it (P)"));
+  field->setToolTip(tr("Stands still, with all that carries it (Shift+P)"));
   connect(field, &CheckField::edited, this, [this](bool on) {
     edit([&](LinkAttributes& a) { a.pinned = on; }, on ? tr("Pin branches") : tr("Let branches go"), {});
   });

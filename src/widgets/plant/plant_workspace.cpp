@@ -1,5 +1,6 @@
 #include "widgets/plant/plant_workspace.h"
 
+#include <QActionGroup>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -91,10 +92,12 @@ PlantWorkspace::PlantWorkspace(const WorkspaceContext& context, QObject* parent)
   viewport_->addActions({chooseAll_, chooseNone_});
   makeInspector();
   makeStrip();
+  // One tool at a time, those that shape the plant among them.
+  for (QAction* tool : {box_, pull_}) select_->actionGroup()->addAction(tool);
+  makeChoices();
   regrow_.setSingleShot(true);
   regrow_.setInterval(kRegrowPause);
   connect(&regrow_, &QTimer::timeout, this, [this] { feed_.rebuild(false); });
-  makeChoices();
 
   connect(chooseAll_, &QAction::triggered, branches_, &BranchPanel::chooseAll);
   connect(chooseNone_, &QAction::triggered, branches_, &BranchPanel::clear);
@@ -217,6 +220,8 @@ void PlantWorkspace::fillMenu(QMenu& menu) {
   menu.addAction(transport_->playAction());
   menu.addAction(transport_->stepAction());
   menu.addAction(transport_->resetAction());
+  menu.addSeparator();
+  menu.addActions({select_, box_, pull_});
   menu.addSeparator();
   menu.addActions({pin_, copy_, paste_});
   menu.addSeparator();
@@ -419,16 +424,6 @@ void PlantWorkspace::showFrame() {
 
 void PlantWorkspace::setWind(double) {
   if (const std::optional<model::Project> project = alone()) controller_.setWind(project->scene.wind);
-}
-
-std::optional<Box> PlantWorkspace::bounds(bool chosenOnly) const {
-  const std::vector<mat4> pose = feed_.restPose();
-  if (!chosenOnly) return boundsOf(feed_.capsules(), pose);
-  std::vector<LinkCapsule> capsules;
-  for (const std::size_t link : chosen_) {
-    if (link < feed_.capsules().size()) capsules.push_back(feed_.capsules()[link]);
-  }
-  return boundsOf(capsules, pose);
 }
 
 void PlantWorkspace::askForFile() {

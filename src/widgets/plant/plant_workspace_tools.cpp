@@ -38,7 +38,7 @@ void PlantWorkspace::makeTools() {
                 tr("Click a branch to choose it; Shift adds, Ctrl toggles, Alt chooses one link. Drag to look around."),
                 Qt::Key_W);
   box_ = add(boxTool_, "box-select", tr("Choose by Box"),
-             tr("Drag a rectangle over what is to be chosen; Shift adds. The middle button looks around."), Qt::Key_B);
+             tr("Drag a rectangle over what is to be chosen; Shift adds. The middle button looks around."), QKeySequence("Shift+B"));
   pull_ = add(pullTool_, "pull", tr("Pull"), tr("Drag a branch: it follows the pointer, and sways when it is let go."),
               Qt::Key_H);
   select_->setChecked(true);
@@ -60,10 +60,10 @@ void PlantWorkspace::makeChoices() {
   choice(tr("Choose Whole Branch"), QKeySequence("L"), [](const sim::Tree& tree, const Links& links) {
     return wholeBranches(tree, links);
   })->setObjectName("choose.branch");
-  choice(tr("Choose Children"), QKeySequence("C"), [](const sim::Tree& tree, const Links& links) {
+  choice(tr("Choose Children"), QKeySequence("K"), [](const sim::Tree& tree, const Links& links) {
     return withChildren(tree, links);
   })->setObjectName("choose.children");
-  choice(tr("Choose What Carries It"), QKeySequence("Shift+C"), [](const sim::Tree& tree, const Links& links) {
+  choice(tr("Choose What Carries It"), QKeySequence("Shift+K"), [](const sim::Tree& tree, const Links& links) {
     return carriers(tree, links);
   })->setObjectName("choose.carriers");
   choice(tr("Choose the Same Order"), QKeySequence("O"), [](const sim::Tree& tree, const Links& links) {
@@ -78,7 +78,7 @@ void PlantWorkspace::makeChoices() {
   choice(tr("Choose the Twigs"), QKeySequence("Shift+3"), [](const sim::Tree& tree, const Links&) {
     return ofOrder(tree, 2, 1000);
   })->setObjectName("choose.twigs");
-  pin_ = own(new QAction(icon("pin"), tr("Pin or Let Go"), this), Qt::Key_P);
+  pin_ = own(new QAction(icon("pin"), tr("Pin or Let Go"), this), QKeySequence("Shift+P"));
   connect(pin_, &QAction::triggered, this, [this] { attributes_->togglePinned(); });
   copy_ = own(new QAction(tr("Copy Values of Branch"), this), QKeySequence::Copy);
   connect(copy_, &QAction::triggered, this, [this] { attributes_->copy(); });
@@ -132,6 +132,16 @@ void PlantWorkspace::paintPins(QPainter& painter, const OrbitCamera& camera, QSi
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(QPointF(at->x(), at->y() - 13.5), 2, 2);
   }
+}
+
+std::optional<Box> PlantWorkspace::bounds(bool chosenOnly) const {
+  const std::vector<mat4> pose = feed_.restPose();
+  if (!chosenOnly) return boundsOf(feed_.capsules(), pose);
+  std::vector<LinkCapsule> capsules;
+  for (const std::size_t link : chosen_) {
+    if (link < feed_.capsules().size()) capsules.push_back(feed_.capsules()[link]);
+  }
+  return boundsOf(capsules, pose);
 }
 
 void PlantWorkspace::showClip() {

@@ -79,7 +79,8 @@ Status Renderer::Impl::compile() {
         link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
         link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
         link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
-        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile(), streaks.compile()}) {
+        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile(),
+        streaks.compile()}) {
     if (!status) return status;
   }
   return ok();

@@ -127,7 +127,7 @@ class Bend : public DragBranch {
   QString id() const override { return QStringLiteral("bend"); }
   QString title() const override { return say("Bend"); }
   QString help() const override { return say("Drag a branch to turn it about the place where it begins."); }
-  int shortcut() const override { return Qt::Key_R; }
+  int shortcut() const override { return Qt::Key_B; }
 
  protected:
   void begin(const ViewportEvent& event, const model::PlantGeometry& geometry) override {
@@ -189,7 +189,7 @@ class MoveNode : public DragBranch {
   QString id() const override { return QStringLiteral("handle"); }
   QString title() const override { return say("Handles"); }
   QString help() const override { return say("Drag a node of a branch's curve; its neighbours follow."); }
-  int shortcut() const override { return Qt::Key_G; }
+  int shortcut() const override { return Qt::Key_C; }
   void paint(QPainter& painter, const OrbitCamera& camera, QSize size) const override {
     DragBranch::paint(painter, camera, size);
     const model::PlantGeometry* geometry = host_.shapeable();
@@ -297,7 +297,7 @@ class SetPart : public ShapeTool {
   QString help() const override {
     return say("Press on the plant and drag to where the library's chosen part shall point.");
   }
-  int shortcut() const override { return int(Qt::SHIFT) | int(Qt::Key_A); }
+  int shortcut() const override { return Qt::Key_P; }
   bool press(const ViewportEvent& event) override {
     const model::PlantGeometry* geometry = host_.part() ? host_.shapeable() : nullptr;
     picked_ = geometry ? host_.boneAt(event) : std::nullopt;

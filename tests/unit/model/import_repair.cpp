@@ -182,14 +182,6 @@ class ImportRepairTest : public QObject {
     QCOMPARE(bodies.tree.links.size(), std::size_t{3});
   }
 
-  void aHundredThousandBonesAreRead() {
-    const auto fixture = jointed(
-        100'000, [](int i) { return (i - 1) / 2; }, [](int i) { return QString("b%1").arg(i); });
-    const auto geometry = import(fixture.glb());
-    QVERIFY2(geometry, qPrintable(errorOf(geometry)));
-    QCOMPARE(geometry->bones.size(), std::size_t{100'000});
-  }
-
   void aColumnBucklesWhereGreenhillSaysSo() {
     // m g L^2 = 7.837 E I for a uniform column: the share of the load is its inverse.
     sim::Tree column;
