@@ -103,28 +103,6 @@ class LeafCliTest : public QObject {
     QCOMPARE(root[0].toDouble(), 130.0);
   }
 
-  void veinsDrawnElsewhereAreTaken() {
-    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("drawn"), "--veins", at("lines.png"), "--ruler",
-                          "0,0,100,0,0.05", "--variants", "0", "--size", "128"})
-                 .status,
-             0);
-    const QJsonArray veins = QJsonDocument::fromJson(bytesOf(at("drawn/veins.json"))).object()["veins"].toArray();
-    QCOMPARE(veins.size(), 2);
-    QCOMPARE(veins[1].toObject()["order"].toInt(), 2);
-    const QJsonObject contour = QJsonDocument::fromJson(bytesOf(at("drawn/contour.json"))).object();
-    const QJsonArray root = contour["root"].toArray(), tip = contour["tip"].toArray();
-    const double pixels = std::hypot(root[0].toDouble() - tip[0].toDouble(), root[1].toDouble() - tip[1].toDouble());
-    QVERIFY(std::abs(contour["bladeLength"].toDouble() - 0.05 * pixels / 100) < 1e-4);
-  }
-
-  void aBareMaskTakesItsColoursFromAnExample() {
-    QCOMPARE(windfallRun({"leaf", at("mask.png"), "-o", at("bare"), "--example", at("leaf.png"), "--variants", "1",
-                          "--size", "128", "--vary"})
-                 .status,
-             0);
-    QVERIFY(!QImage(at("bare/variant_000.png")).isNull());
-  }
-
   void presetsAndAgeChangeTheTextures() {
     const QStringList base{"leaf", at("leaf.png"), "--variants", "1", "--size", "160"};
     QCOMPARE(windfallRun(base + QStringList{"-o", at("fresh"), "--preset", "Birch"}).status, 0);

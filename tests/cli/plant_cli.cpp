@@ -120,11 +120,11 @@ void PlantCliTest::theHashDependsOnTheSettingsAndNotOnTheThreads() {
   QVERIFY(hash({"--wind", "9"}) != one);
   QByteArrayList ofMethods;
   for (const char* method : {"coupled", "analytic", "forces", "literal"}) {
-    const QByteArray one = hash({"--method", method, "--threads", "1"});
-    QVERIFY(one.startsWith("state "));
-    QCOMPARE(hash({"--method", method, "--threads", "2"}), one);
-    QVERIFY2(!ofMethods.contains(one), method);
-    ofMethods.append(one);
+    const QByteArray first = hash({"--method", method, "--threads", "1"});
+    QVERIFY(first.startsWith("state "));
+    QCOMPARE(hash({"--method", method, "--threads", "2"}), first);
+    QVERIFY2(!ofMethods.contains(first), method);
+    ofMethods.append(first);
   }
 }
 

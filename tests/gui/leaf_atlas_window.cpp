@@ -5,6 +5,7 @@
 
 #include "app/editor.h"
 #include "model/leaf/ageing.h"
+#include "model/leaf/maps_picture.h"
 #include "support/painted_leaf.h"
 #include "support/suite.h"
 #include "widgets/fields/choice_field.h"
