@@ -61,7 +61,8 @@ class ProjectCommandsTest : public QObject {
 
 void ProjectCommandsTest::checkSumsUpASoundProject() {
   model::Progress progress;
-  QVERIFY(model::writeProject(soundProject(), at("sound.windfall"), progress));
+  const Status written = model::writeProject(soundProject(), at("sound.windfall"), progress);
+  QVERIFY2(written, written ? "" : written.error().message.c_str());
   const Outcome outcome = windfallRun({"check", at("sound.windfall")});
   QCOMPARE(outcome.errors, QString());
   QCOMPARE(outcome.output, QString("1 leaf (2 textures), 1 plant, 1 tree in the scene; schema 1; sound\n"));

@@ -141,7 +141,9 @@ class LeafToolsWindow : public QObject {
     QVERIFY(std::abs(shown().ruler.metres - 0.04) < 1e-9);
     QVERIFY(settle());
     const model::LeafStages& stages = *leaf_->pictures().stages();
-    QVERIFY(std::abs(stages.bladeLength - QLineF(stages.root, stages.tip).length() * 0.04 / 200) < 1e-3);
+    const double wanted = QLineF(stages.root, stages.tip).length() * 0.04 / 200;
+    QVERIFY2(std::abs(stages.bladeLength - wanted) < 1e-3,
+             qPrintable(QStringLiteral("%1 for %2").arg(stages.bladeLength).arg(wanted)));
     shot("leaf_ruler.png");
   }
 

@@ -13,7 +13,7 @@ namespace windfall::widgets {
 
 PlantShaping::PlantShaping(const Surroundings& around, QAction* select, ViewportTool& selectTool, FieldPanel& panel,
                            QObject* parent)
-    : QObject(parent), around_(around), tools_(makeShapeTools(*this)), group_(this) {
+    : QObject(parent), around_(around), tools_(makeShapeTools(*this)), select_(select), group_(this) {
   const auto activate = [this](QAction* action, ViewportTool* tool, const QString& help) {
     connect(action, &QAction::toggled, this, [this, tool, help](bool on) {
       if (!on) return;
@@ -112,8 +112,10 @@ void PlantShaping::show() {
   parts_->setVisible(shown != nullptr);
   count_->setValue(!grown ? tr("none: not grown by a grower")
                           : tr("%n", nullptr, static_cast<int>(shown->handEdits.size())));
-  for (QAction* action : actions_) action->setEnabled(grown);
-  if (!grown && group_.checkedAction() != group_.actions().front()) group_.actions().front()->setChecked(true);
+  for (QAction* action : actions_) {
+    if (!grown && action->isChecked()) select_->setChecked(true);
+    action->setEnabled(grown);
+  }
 }
 
 const model::PlantGeometry* PlantShaping::shapeable() {

@@ -61,7 +61,8 @@ class PlantShaping : public QObject, public ShapeToolHost {
 
   Surroundings around_;
   std::vector<std::unique_ptr<ShapeTool>> tools_;
-  QActionGroup group_;
+  QAction* select_;     ///< what a tool falls back to
+  QActionGroup group_;  ///< until the window puts the tools of all kinds into one
   QList<QAction*> actions_;
   model::PartLibrary library_;
   model::LoadedPlant held_;  ///< what shapeable() handed out

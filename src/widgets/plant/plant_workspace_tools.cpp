@@ -38,7 +38,8 @@ void PlantWorkspace::makeTools() {
                 tr("Click a branch to choose it; Shift adds, Ctrl toggles, Alt chooses one link. Drag to look around."),
                 Qt::Key_W);
   box_ = add(boxTool_, "box-select", tr("Choose by Box"),
-             tr("Drag a rectangle over what is to be chosen; Shift adds. The middle button looks around."), QKeySequence("Shift+B"));
+             tr("Drag a rectangle over what is to be chosen; Shift adds. The middle button looks around."),
+             QKeySequence("Shift+B"));
   pull_ = add(pullTool_, "pull", tr("Pull"), tr("Drag a branch: it follows the pointer, and sways when it is let go."),
               Qt::Key_H);
   select_->setChecked(true);

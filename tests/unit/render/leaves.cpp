@@ -193,7 +193,7 @@ TEST_CASE("leaves turn with the season, each in its time") {
   test::Stage stage(kSize, kSize);
   WINDFALL_NEEDS_OPENGL(stage);
   render::LeafLayer layer = plainLayer(40, 110, 30);
-  layer.gains = {vec3(8, 2, 1), vec3(5, 0.5f, 1), vec3(1.5f, 0.4f, 1)};
+  layer.gains = {vec3(8, 2, 1), vec3(5, 0.5f, 1), vec3(7, 0.4f, 1)};
   for (std::size_t i = 0; i < render::kSeasonSamples; ++i) {
     const float t = static_cast<float>(i) / 16;
     layer.seasons[i] = vec4(1 - t, t * (1 - t), 0, t * t);
