@@ -35,7 +35,7 @@ struct Chain {
 struct Tree {
   uint firstRing, ringCount, firstEntry, entryCount;
   uint firstChain, chainCount, firstLink, firstSkinned;
-  uint firstKey, pad0, pad1, pad2;
+  uint firstKey, layer, pad0, pad1;
   vec4 widening[3];
 };
 

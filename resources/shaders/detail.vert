@@ -1,6 +1,8 @@
 #include "frame.glsl"
 #include "detail_vertex.glsl"
 layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
+layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };
+layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };  // colour and width of the tile, look
 invariant gl_Position;
 
 layout(location = 0) out vec3 worldPosition;
@@ -15,19 +17,24 @@ layout(location = 8) out vec4 air;
 layout(location = 9) out float barkRepeats;
 layout(location = 10) out vec4 barkTint;
 layout(location = 11) out vec4 dataColor;
+layout(location = 12) flat out uint layer;
 
 void main() {
   Corner at = corner();
   worldPosition = at.position;
   worldNormal = at.normal;
   textureUv = at.bark;
-  barkRepeats = 0.0;
-  barkTint = unpackUnorm4x8(at.tint);
-  dataColor = vec4(0.0);
   // Unrolled: the noise runs round and along every branch alike.
   restPosition = vec3(at.round.x, at.bark.y * 6.28318531, at.round.y) * 0.12;
   restNormal = vec3(at.round.x, 0.0, at.round.y);
-  highlight = accent.w > 0.0 ? float((highlightBits[at.link >> 5u] >> (at.link & 31u)) & 1u) : 0.0;
+  uint link = at.link & 0xffffffu;
+  layer = at.link >> 24u;
+  highlight = accent.w > 0.0 ? float((highlightBits[link >> 5u] >> (link & 31u)) & 1u) : 0.0;
+  dataColor = linkColors.length() > 1 ? unpackUnorm4x8(linkColors[link]) : vec4(0.0);
+  barkTint = unpackUnorm4x8(at.tint);
+  // Green stems have finer bark.
+  float tile = barks[2u * layer].w * (1.0 + 2.0 * barkTint.a) / 3.0;
+  barkRepeats = tile > 0.0 ? max(0.0, log2(6.28318531 * at.radius / tile)) : 0.0;
   float open = canopyOpenness(worldPosition, worldNormal) * mix(0.55, 1.0, smoothstep(0.0, 0.9, worldPosition.y));
   around = ambientLight(worldNormal) * open;
   behind = around;

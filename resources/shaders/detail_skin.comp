@@ -39,7 +39,7 @@ void main() {
   result.across = vec4(turned(bone, ring.across.xyz), ring.across.w);
   result.outwards = vec4(turned(bone, ring.outwards.xyz), ring.outwards.w);
   result.reach = ring.reach;
-  result.link = tree.firstLink + ring.link;
+  result.link = (tree.firstLink + ring.link) | (tree.layer << 24u);
   result.tint = ring.tint;
   skinned[tree.firstSkinned + index] = result;
 }

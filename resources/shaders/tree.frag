@@ -13,9 +13,20 @@ layout(location = 9) in float barkRepeats;
 layout(location = 10) in vec4 barkTint;
 layout(location = 11) in vec4 dataColor;
 layout(location = 0) out vec4 color;
+#ifdef LAYERED
+// Many plants in one draw call: a layer each.
+layout(location = 12) flat in uint layer;
+layout(binding = 3) uniform sampler2DArray pictures;
+layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };
+#define baseColor barks[2u * layer]
+#define look barks[2u * layer + 1u]
+#define PICTURE(uv) pictures, vec3(uv, float(layer))
+#else
 layout(binding = 3) uniform sampler2D picture;
 layout(location = 0) uniform vec4 baseColor;
 layout(location = 1) uniform vec4 look;  // roughness, has a picture, 0, height of the bark's relief in m
+#define PICTURE(uv) picture, uv
+#endif
 
 // A picture that repeats 2^k times round the stem; between two k it fades, so that no seam shows where the stem's
 // radius halves. The fade loses contrast and gets it back (plant_meshing.md, 5).
@@ -24,11 +35,11 @@ vec4 barkPicture() {
   float fade = smoothstep(0.3, 0.7, barkRepeats - k);
   vec2 dx = dFdx(textureUv), dy = dFdy(textureUv);
   float scale = exp2(k);
-  vec4 coarse = textureGrad(picture, textureUv * scale, dx * scale, dy * scale);
+  vec4 coarse = textureGrad(PICTURE(textureUv * scale), dx * scale, dy * scale);
   if (fade <= 0.0) return coarse;
-  vec4 fine = textureGrad(picture, textureUv * scale * 2.0, dx * scale * 2.0, dy * scale * 2.0);
+  vec4 fine = textureGrad(PICTURE(textureUv * scale * 2.0), dx * scale * 2.0, dy * scale * 2.0);
   if (fade >= 1.0) return fine;
-  vec4 mean = textureLod(picture, vec2(0.5), 16.0);
+  vec4 mean = textureLod(PICTURE(vec2(0.5)), 16.0);
   vec4 both = mix(coarse, fine, fade);
   return max(mean + (both - mean) / sqrt(fade * fade + (1.0 - fade) * (1.0 - fade)), vec4(0.0));
 }

@@ -73,7 +73,7 @@ struct SkinnedRing {
   float gap = 1;
   float level = 0;         ///< log2(sides / 3); its sides are 3 * 2^ceil(level)
   float reach = 0;         ///< as DetailRing's
-  std::uint32_t link = 0;  ///< of all trees
+  std::uint32_t link = 0;  ///< of all trees; the highest 8 bits: the bark's layer
   std::uint32_t tint = 0;
 };
 static_assert(sizeof(SkinnedRing) == 80);

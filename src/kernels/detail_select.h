@@ -129,7 +129,7 @@ WINDFALL_HD int gridOf(const DetailCamera& camera, const DetailEntry& entry, vec
 
 }  // namespace detail
 
-/// The ring as the vertex shader reads it.
+/// The ring as the vertex shader reads it. `firstLink` carries the bark's layer in its highest 8 bits.
 inline SkinnedRing skinRing(const DetailRing& ring, const mat4& bone, std::uint32_t firstLink,
                             const std::array<float, kDetailLevels>& table, const DetailCamera& camera) {
   SkinnedRing out;

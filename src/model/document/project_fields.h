@@ -354,12 +354,19 @@ void fields(Io& io, typename Io::template Ref<Light> light) {
 }
 
 template <class Io>
+void fields(Io& io, typename Io::template Ref<DetailSettings> detail) {
+  io.flag("adaptive", detail.adaptive);
+  io.number("tolerance", detail.tolerance, 0.1, 4);
+}
+
+template <class Io>
 void fields(Io& io, typename Io::template Ref<Scene> scene) {
   io.list("trees", scene.trees, 100'000);
   io.object("wind", scene.wind);
   io.object("leaves", scene.leaves);
   io.object("solver", scene.solver);
   io.object("light", scene.light);
+  io.object("detail", scene.detail);
   io.seed("seed", scene.seed);
 }
 

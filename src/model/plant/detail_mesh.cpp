@@ -180,7 +180,8 @@ void Builder::addPiece(Part& part, const Ring* rings, std::uint32_t first, std::
 void Builder::build(std::size_t c) {
   const RingChain& chain = set_.chains[c];
   Part& part = parts_[c];
-  if (chain.count < 2) return;
+  const Segment& start = graph_.segments[chains_.links[chains_.chains[c].first]];
+  if (chain.count < 2 || (start.kind == SegmentKind::Root && !source_.roots)) return;
   const Ring* rings = set_.rings.data() + chain.first;
   for (std::uint32_t i = 0; i < chain.count; ++i) {
     part.rings.push_back(ringOf(rings[i], c, rings[i > 0 ? i - 1 : 0], rings[std::min(i + 1, chain.count - 1)]));

@@ -13,6 +13,7 @@ namespace windfall::model {
 struct DetailSource {
   std::vector<std::int32_t> linkOfSegment;  ///< link that moves a segment; negative: link 0
   std::vector<std::uint32_t> tint;          ///< of a segment, as DetailRing::tint
+  bool roots = true;                        ///< shows chains of roots
   float lobes = 0.15f;                      ///< height of the roots round a flaring trunk, share of its radius
 };
 

@@ -28,12 +28,20 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+/// How finely trees are drawn.
+struct DetailSettings {
+  bool adaptive = false;   ///< wood by what is seen of it; else the whole mesh of every tree
+  double tolerance = 0.5;  ///< px that adaptive wood may be off
+  bool operator==(const DetailSettings&) const = default;
+};
+
 struct Scene {
   std::vector<TreePlacement> trees;
   sim::WindSettings wind;
   sim::LeafSettings leaves;
   sim::SolverSettings solver;
   Light light;
+  DetailSettings detail;
   quint64 seed = 1;
   bool operator==(const Scene&) const = default;
 };

@@ -32,11 +32,13 @@ struct Material {
   int picture = -1;                     ///< index into Mesh::pictures
   float roughness = 0.8f;
   bool foliage = false;  ///< alpha-tested, lit from both sides
+  float tile = 0;        ///< of generated bark on an adaptive mesh: width of its picture on the stem, m
 };
 
 struct Part {
   std::uint32_t firstIndex = 0, indexCount = 0;
   int material = 0;
+  bool adaptive = false;  ///< a tree's adaptive mesh stands for it, if it has one
 };
 
 /// A skinned mesh, shared by all trees of one plant.
@@ -52,7 +54,7 @@ struct Mesh {
 struct TreeDraw {
   int mesh = 0;
   std::uint32_t firstLink = 0, linkCount = 0;
-  int detail = -1;  ///< adaptive mesh that stands for the wood of `mesh`, -1: none
+  int detail = -1;  ///< adaptive mesh that stands for parts of `mesh`, -1: none
 };
 
 /// A corner of a flat leaf; lengths in leaf lengths from the petiole's end.

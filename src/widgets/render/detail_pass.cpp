@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "widgets/render/bark_layers.h"
 #include "widgets/render/gl_version.h"
 #include "widgets/render/shader_program.h"
 
@@ -23,7 +24,7 @@ constexpr std::size_t kAlign = 256;
 struct TreeRecord {
   std::uint32_t firstRing = 0, ringCount = 0, firstEntry = 0, entryCount = 0;
   std::uint32_t firstChain = 0, chainCount = 0, firstLink = 0, firstSkinned = 0;
-  std::uint32_t firstKey = 0, pad[3] = {};
+  std::uint32_t firstKey = 0, layer = 0, pad[2] = {};
   std::array<float, kDetailLevels> widening{};
 };
 static_assert(sizeof(TreeRecord) == 96);
@@ -116,8 +117,8 @@ Status DetailPass::compile() {
     return ok();
   };
   for (const Status& status :
-       {take(wood_[0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY"})),
-        take(wood_[1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY"})),
+       {take(wood_[0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED"})),
+        take(wood_[1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED"})),
         take(shadow_, linkProgram("detail_shadow.vert", "detail_shadow.frag")),
         take(skin_, linkCompute("detail_skin.comp")), take(count_, linkCompute("detail_count.comp")),
         take(offset_, linkCompute("detail_offset.comp")), take(list_, linkCompute("detail_list.comp"))}) {
@@ -150,6 +151,7 @@ Status DetailPass::setContent(const SceneContent& content) {
     chains.insert(chains.end(), mesh->chains.begin(), mesh->chains.end());
   }
   std::vector<DetailTree> trees;
+  BarkLayers barks(content);
   ringCount_ = entryCount_ = largestRings_ = largestEntries_ = 0;
   for (const TreeDraw& tree : content.trees) {
     if (tree.detail < 0) continue;
@@ -158,8 +160,9 @@ Status DetailPass::setContent(const SceneContent& content) {
     record.firstLink = tree.firstLink;
     record.firstSkinned = static_cast<std::uint32_t>(ringCount_);
     record.firstKey = static_cast<std::uint32_t>(entryCount_);
+    record.layer = barks.layerOf(tree.mesh);
     trees.push_back({content.details[static_cast<std::size_t>(tree.detail)], record.firstLink, record.firstSkinned,
-                     record.firstKey});
+                     record.firstKey, record.layer});
     ringCount_ += record.ringCount;
     entryCount_ += record.entryCount;
     largestRings_ = std::max<std::size_t>(largestRings_, record.ringCount);
@@ -172,6 +175,7 @@ Status DetailPass::setContent(const SceneContent& content) {
   entries_ = uploaded(entries);
   chains_ = uploaded(chains);
   treeTable_ = uploaded(records);
+  barks_ = barks.upload();
   if (const Status made = allocate(); !made) return made;
   selector_.setTrees(trees);
   trees_ = std::move(trees);
@@ -307,8 +311,7 @@ int DetailPass::drawLists(Lists& lists) {
 int DetailPass::draw(bool highQuality) {
   if (trees_.empty()) return 0;
   glUseProgram(wood_[highQuality ? 1 : 0].id());
-  glUniform4f(0, 0.16f, 0.115f, 0.08f, 1);
-  glUniform4f(1, 0.85f, 0, 0, 0.012f);
+  barks_.bind();
   return drawLists(lists(Target::Picture));
 }
 

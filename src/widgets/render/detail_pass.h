@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/result.h"
+#include "widgets/render/bark_layers.h"
 #include "widgets/render/content.h"
 #include "widgets/render/detail_grids.h"
 #include "widgets/render/detail_selector.h"
@@ -82,6 +83,7 @@ class DetailPass {
   DetailSelector selector_;
   Lists lists_[2];
   Buffer gridVertices_, gridIndices_, template_, rings_, entries_, chains_, treeTable_, keys_, cursors_;
+  Barks barks_;
   VertexArray array_;
   Program wood_[2], shadow_, skin_, count_, offset_, list_;
   std::size_t ringCount_ = 0, entryCount_ = 0, largestRings_ = 0, largestEntries_ = 0;

@@ -49,8 +49,8 @@ void DetailSelector::selectBlock(Block& block, const DetailCamera& camera, std::
     std::uint32_t& stamp = stamps_[tree.firstSkinned + ring];
     if (stamp == stamp_) return;
     stamp = stamp_;
-    skinned[tree.firstSkinned + ring] =
-        skinRing(mesh.rings[ring], links[mesh.rings[ring].link], tree.firstLink, mesh.widening, camera);
+    skinned[tree.firstSkinned + ring] = skinRing(mesh.rings[ring], links[mesh.rings[ring].link],
+                                                 tree.firstLink | tree.layer << 24, mesh.widening, camera);
   };
   for (std::uint32_t c = block.firstChain; c < block.endChain; ++c) {
     const DetailChain& chain = mesh.chains[c];

@@ -17,6 +17,7 @@ struct DetailTree {
   std::uint32_t firstLink = 0;     ///< of the bone buffer
   std::uint32_t firstSkinned = 0;  ///< of the skinned rings
   std::uint32_t firstKey = 0;      ///< of the entries of all trees
+  std::uint32_t layer = 0;         ///< of the barks
 };
 
 class DetailSelector {

@@ -23,7 +23,7 @@ struct DetailStage::Impl {
   Texture color, depth, noise, skyTable;
   Texture smoothColor, smoothDepth;
   Framebuffer framebuffer, smooth;
-  Buffer uniforms, highlights;
+  Buffer uniforms, highlights, linkColors;
   SkyLight sky;
 };
 
@@ -59,6 +59,8 @@ Result<std::unique_ptr<DetailStage>> DetailStage::create(int width, int height) 
   glTextureStorage2D(impl.skyTable.id(), 1, GL_RGB16F, SkyLight::kWidth, SkyLight::kHeight);
   glTextureSubImage2D(impl.skyTable.id(), 0, 0, 0, SkyLight::kWidth, SkyLight::kHeight, GL_RGB, GL_FLOAT,
                       impl.sky.table.data());
+  const std::uint32_t none = 0;
+  impl.linkColors = makeBuffer(sizeof none, &none, 0);
   impl.uniforms = makeBuffer(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   if (const Status sized = impl.shadow.resize(16); !sized) return sized.error();
   const float farthest = 1;
@@ -105,6 +107,7 @@ double DetailStage::draw(const View& view, std::span<const mat4> bones, bool ada
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, impl.highlights.id());
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, impl.ring.bones(), impl.ring.boneOffset(slot.index),
                     static_cast<GLsizeiptr>(impl.ring.linkCount() * sizeof(mat4)));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, impl.linkColors.id());
   glBindTextureUnit(0, impl.noise.id());
   glBindTextureUnit(1, impl.skyTable.id());
   glBindTextureUnit(2, impl.shadow.texture());

@@ -183,8 +183,8 @@ int TreePass::draw(bool highQuality, bool adaptive) const {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
+      if (adaptive && mesh.detailed && part.adaptive) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
-      if (adaptive && mesh.detailed && !material.foliage) continue;
       const bool pictured = material.picture >= 0;
       glUseProgram((material.foliage ? foliage_ : wood_)[highQuality ? 1 : 0].id());
       if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
@@ -212,8 +212,9 @@ int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive) const {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
+      if (adaptive && mesh.detailed && part.adaptive) continue;
+      if (adaptive && mesh.detailed && part.adaptive) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
-      if (adaptive && mesh.detailed && !material.foliage) continue;
       const bool tested = material.foliage && material.picture >= 0;
       if (tested) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
       glUniform1f(1, tested ? 1.f : 0.f);

@@ -37,6 +37,7 @@ SceneInspector::SceneInspector(model::Document& document, SceneSelection& select
   addLeaves();
   addTrees();
   addLight();
+  addDetail();
   addSolver();
   addDevice();
   connect(&selection_, &SceneSelection::changed, this, &SceneInspector::showTrees);
@@ -210,6 +211,26 @@ void SceneInspector::addLight() {
   number<Light>(
       group, "light.strength", tr("Strength"), {.maximum = 3, .defaultValue = 1, .hardMaximum = 10}, part,
       model::Aspect::Light, [](const Light& l) { return l.strength; }, [](Light& l, double v) { l.strength = v; });
+}
+
+void SceneInspector::addDetail() {
+  using Detail = model::DetailSettings;
+  const auto part = &model::Scene::detail;
+  FieldGroup* group = addGroup("detail", tr("Detail"));
+  auto* wood = group->add(new ChoiceField(tr("Wood"), {tr("Adaptive"), tr("Full")}, 1));
+  keep("detail.adaptive", wood);
+  wood->setToolTip(tr("Adaptive draws fine where the camera is near; full draws every tree's whole mesh"));
+  connect(wood, &ChoiceField::edited, this, [this, part](int index) {
+    Detail detail = document_.project().scene.detail;
+    detail.adaptive = index == 0;
+    document_.setScene(part, detail, model::Aspect::Light, tr("Choose the detail of wood"));
+  });
+  shows_.push_back([wood](const model::Scene& scene) { wood->setValue(scene.detail.adaptive ? 0 : 1); });
+  number<Detail>(
+      group, "detail.tolerance", tr("Tolerance"),
+      {.minimum = 0.25, .maximum = 2, .defaultValue = 0.5, .unit = "px", .hardMinimum = 0.1, .hardMaximum = 4}, part,
+      model::Aspect::Light, [](const Detail& d) { return d.tolerance; }, [](Detail& d, double v) { d.tolerance = v; })
+      ->setToolTip(tr("How far adaptive wood may be off in the picture"));
 }
 
 void SceneInspector::follow(const model::Change& change) {

@@ -67,6 +67,7 @@ class SceneInspector : public FieldPanel {
   const sim::Fan* chosenFan() const;
   void addLeaves();
   void addLight();
+  void addDetail();
   void addSolver();
   void addTrees();
   void addDevice();

@@ -6,8 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "kernels/detail_select.h"
+#include "model/plant/bark.h"
 #include "model/plant/detail_mesh.h"
-#include "model/plant/transport.h"
+#include "widgets/viewport/scene_content.h"
 
 namespace windfall::widgets {
 
@@ -20,6 +21,14 @@ constexpr float kApart = 1.2f;  // m
 struct Counts {
   std::uint32_t sides = 16, pieces = 8;
 };
+
+/// The same bark on all three meshes.
+void addBark(render::Mesh& mesh) {
+  const model::Material bark = model::barkMaterial(model::BarkKind::Oak);
+  mesh.pictures.push_back(toPicture(bark.texture));
+  mesh.materials.push_back({bark.baseColor, 0, bark.roughness, false});
+  mesh.parts.push_back({0, static_cast<std::uint32_t>(mesh.indices.size()), 0, true});
+}
 
 /// A tube for each span, with the counts that `countsOf` gives it.
 template <class CountsOf>
@@ -63,8 +72,7 @@ render::Mesh tubes(const std::vector<model::ChainCurve>& curves, const model::Ri
       }
     }
   }
-  mesh.materials.push_back({vec4(0.16f, 0.115f, 0.08f, 1), -1, 0.85f, false});
-  mesh.parts.push_back({0, static_cast<std::uint32_t>(mesh.indices.size()), 0});
+  addBark(mesh);
   return mesh;
 }
 
@@ -107,7 +115,7 @@ render::SceneContent BenchScene::content(BenchMesh mesh) const {
   render::SceneContent content;
   for (const BenchPlant& plant : plants) {
     if (mesh == BenchMesh::Adaptive) {
-      content.meshes.emplace_back();
+      addBark(content.meshes.emplace_back());
       content.details.push_back(plant.adaptive);
     } else {
       content.meshes.push_back(mesh == BenchMesh::Uniform ? plant.uniform : plant.bounded);

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <map>
+
+#include "model/plant/detail_mesh.h"
+#include "model/plant/skeleton_geometry.h"
 
 namespace windfall::widgets {
 namespace {
@@ -23,6 +27,12 @@ std::vector<std::uint32_t> movingLinks(const model::LoadedPlant& plant) {
   return links;
 }
 
+/// Whether the plant's mesh was made from its skeleton; an imported one keeps its own unless the artist says.
+bool followsSkeleton(const model::PlantGeometry& geometry) {
+  static const QStringList kMeshes{QStringLiteral("fbx"), QStringLiteral("glb"), QStringLiteral("gltf")};
+  return geometry.skeleton && (geometry.skeleton->settings.fromSkeleton || !kMeshes.contains(geometry.format));
+}
+
 render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   const model::PlantGeometry& geometry = *plant.geometry;
   const std::vector<std::uint32_t> links = movingLinks(plant);
@@ -39,10 +49,13 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   }
   mesh.indices = geometry.indices;
   for (const model::MeshPart& part : geometry.parts) {
-    if (!part.hidden) mesh.parts.push_back({part.firstIndex, part.indexCount, part.material});
+    // The first material of a skeleton's surface is its bark.
+    const bool adaptive = followsSkeleton(geometry) && part.material == 0;
+    if (!part.hidden) mesh.parts.push_back({part.firstIndex, part.indexCount, part.material, adaptive});
   }
   for (const model::Material& from : geometry.materials) {
     render::Material to{from.baseColor, -1, from.roughness, from.leaf};
+    if (followsSkeleton(geometry)) to.tile = static_cast<float>(geometry.skeleton->settings.tile) * scale;
     if (!from.texture.isNull()) {
       to.picture = static_cast<int>(mesh.pictures.size());
       mesh.pictures.push_back(toPicture(from.texture));
@@ -105,6 +118,22 @@ void addAgeing(const model::LeafTexture& texture, render::LeafLayer& layer) {
   layer.wetness = static_cast<float>(texture.ageing.wetness);
 }
 
+/// The adaptive mesh of a plant whose curves are known; else one without runs.
+std::shared_ptr<const DetailMesh> makeDetail(const model::LoadedPlant& plant, float scale) {
+  const std::shared_ptr<const model::PlantSkeleton>& skeleton = plant.geometry->skeleton;
+  if (!followsSkeleton(*plant.geometry)) return std::make_shared<DetailMesh>();
+  model::DetailSource source;
+  source.roots = skeleton->settings.roots;
+  for (const model::Segment& segment : skeleton->graph.segments) {
+    const int link = segment.bone < 0 ? 0 : plant.bodies->carrierOfBone[static_cast<std::size_t>(segment.bone)];
+    source.linkOfSegment.push_back(link);
+    const float wood = segment.state.wood < 0 ? 1 : std::clamp(segment.state.wood, 0.0f, 1.0f);
+    source.tint.push_back(0xffffffu | static_cast<std::uint32_t>(std::lround(wood * 255)) << 24);
+  }
+  DetailMesh mesh = model::makeDetail(skeleton->graph, skeleton->chains, skeleton->curves, skeleton->rings, source);
+  return std::make_shared<DetailMesh>(scale == 1 ? std::move(mesh) : model::scaled(std::move(mesh), scale));
+}
+
 render::LeafLayer makeLayer(const model::LeafTexture& texture) {
   const double width = std::max(texture.metres.width(), 1e-4), height = std::max(texture.metres.height(), 1e-4);
   // The petiole hangs at the pivot and the tip touches the upper border: between them lies one leaf's length.
@@ -151,9 +180,14 @@ render::SceneContent makeContent(const model::SceneAssembly& assembly, const mod
     if (placement == scene.trees.end()) continue;
     const auto scale = static_cast<float>(placement->scale);
     const auto [mesh, isNew] = meshes.try_emplace({placement->plant, scale}, static_cast<int>(content.meshes.size()));
-    if (isNew) content.meshes.push_back(makeMesh(assembly.plants.at(placement->plant), scale));
+    if (isNew) {
+      const model::LoadedPlant& plant = assembly.plants.at(placement->plant);
+      content.meshes.push_back(makeMesh(plant, scale));
+      content.details.push_back(makeDetail(plant, scale));
+    }
     const auto links = static_cast<std::uint32_t>(assembly.sim.trees[i].tree->links.size());
-    content.trees.push_back({mesh->second, static_cast<std::uint32_t>(content.linkCount), links});
+    const int detail = content.details[static_cast<std::size_t>(mesh->second)]->entries.empty() ? -1 : mesh->second;
+    content.trees.push_back({mesh->second, static_cast<std::uint32_t>(content.linkCount), links, detail});
     content.linkCount += links;
   }
   for (const model::LeafTexture& texture : assembly.leafTextures) content.leafLayers.push_back(makeLayer(texture));

@@ -26,6 +26,8 @@ render::View sceneView(const model::Camera& camera, const model::Scene& scene) {
   view.season = scene.leaves.season;
   view.sunStrength = static_cast<float>(scene.light.strength);
   view.wind = scene.wind.direction * scene.wind.speed;
+  view.adaptive = scene.detail.adaptive;
+  view.tolerance = static_cast<float>(scene.detail.tolerance);
   return view;
 }
 
