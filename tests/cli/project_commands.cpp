@@ -34,6 +34,8 @@ model::Project soundProject() {
   model::Project project = test::richProject();
   project.leaves.pop_back();
   project.plants.pop_back();
+  project.leaves[0].examples.clear();
+  project.leaves[0].regionPairs.clear();
   project.plants[0].leaves = {{3}};
   project.scene.trees.pop_back();
   return project;

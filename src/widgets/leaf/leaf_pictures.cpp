@@ -165,7 +165,11 @@ void LeafPictures::invalidateParameters() {
     automaticMask_ = {};
     return invalidate(Stage::Mask);
   }
-  if (before.epsilon != now.epsilon || before.shape.vary != now.shape.vary) return invalidate(Stage::Contour);
+  // The ruler and the length are no parameters of a stage, but what it measures depends on them.
+  const bool measured =
+      stages_ && stages_->made.ruler == leaf()->ruler && stages_->made.bladeLength == leaf()->bladeLength;
+  if (before.epsilon != now.epsilon || before.shape.vary != now.shape.vary || !measured)
+    return invalidate(Stage::Contour);
   if (!(before.veins == now.veins)) return invalidate(Stage::Veins);
   if (!(before.costs == now.costs) || before.synthesis.size != now.synthesis.size) return invalidate(Stage::Distance);
   if (before.synthesis.superpixels != now.synthesis.superpixels) return invalidate(Stage::Superpixels);

@@ -31,13 +31,14 @@ void PresetTest::builtInOnesAreThereAndSound() {
   for (const QString domain : {"wind", "leaf", "grower"}) {
     for (const Preset& preset : library.of(domain)) names << domain + "/" + preset.name;
   }
-  QCOMPARE(names,
-           (QStringList{"wind/Calm", "wind/Light breeze", "wind/Gentle breeze", "wind/Moderate breeze",
-                        "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale", "wind/Gale", "wind/Strong gale",
-                        "wind/Storm", "leaf/Ovate", "leaf/Oak", "leaf/Birch", "leaf/Maple", "leaf/Ginkgo", "leaf/Beech",
-                        "grower/Young tree", "grower/Broad tree", "grower/Slender tree", "grower/Oak", "grower/Birch",
-                        "grower/Aspen", "grower/Willow", "grower/Maple", "grower/Fir", "grower/Pine", "grower/Bush",
-                        "grower/Herb", "grower/Dead tree"}));
+  QCOMPARE(names, (QStringList{"wind/Calm",         "wind/Light breeze",  "wind/Gentle breeze",  "wind/Moderate breeze",
+                               "wind/Fresh breeze", "wind/Strong breeze", "wind/Near gale",      "wind/Gale",
+                               "wind/Strong gale",  "wind/Storm",         "leaf/Ovate",          "leaf/Oak",
+                               "leaf/Birch",        "leaf/Maple",         "leaf/Ginkgo",         "leaf/Beech",
+                               "grower/Young tree", "grower/Broad tree",  "grower/Slender tree", "grower/Oak",
+                               "grower/Birch",      "grower/Aspen",       "grower/Willow",       "grower/Maple",
+                               "grower/Fir",        "grower/Pine",        "grower/Bush",         "grower/Herb",
+                               "grower/Dead tree"}));
 }
 
 void PresetTest::applyingChangesOnlyWhatThePresetNames() {

@@ -127,8 +127,9 @@ void ProjectFileTest::sourcesStandBesideAsTheyWere() {
   Progress progress;
   Result<ArchiveReader> archive = ArchiveReader::open(at("rich.windfall"));
   QVERIFY(archive);
-  QCOMPARE(archive->names(), (QStringList{"leaves/3/mask.png", "leaves/3/photo.png", "leaves/3/variants/0001.png",
-                                          "plants/6/source.fbx", "project.json", "simulation/state.bin"}));
+  QCOMPARE(archive->names(),
+           (QStringList{"leaves/3/mask.png", "leaves/3/photo.png", "leaves/3/variants/0001.png", "plants/5/crown.obj",
+                        "plants/6/source.fbx", "project.json", "simulation/state.bin"}));
   QCOMPARE(*archive->read("leaves/3/photo.png", 1 << 20, progress), project.leaves[0].photo.bytes);
   QCOMPARE(*archive->read("plants/6/source.fbx", 1 << 20, progress), project.plants[1].file.bytes);
   const QImage mask = QImage::fromData(*archive->read("leaves/3/mask.png", 1 << 20, progress), "png");
