@@ -195,7 +195,12 @@ void Builder::build(std::size_t c) {
   for (std::size_t i = 1; i < out.rings.size(); ++i) {
     const Ring& a = out.rings[i - 1];
     Ring& b = out.rings[i];
-    b.v = a.v + barkRun(b.along - a.along, a.radius, b.radius, settings_.textureAspect);
+    if (a.along < 0) {
+      b.v = a.v + barkRun(b.along - a.along, a.radius, b.radius, settings_.textureAspect);
+      continue;
+    }
+    const RunningRadius law(curve.spans[at(b.span)], a.span == b.span ? a.t : 0, b.t, a.radius, b.radius);
+    b.v = a.v + law.run(a.span == b.span ? a.t : 0, b.t).second / (2 * kPi * settings_.textureAspect);
   }
 }
 
@@ -255,6 +260,33 @@ RingSet Builder::run() {
 }
 
 }  // namespace
+
+RunningRadius::RunningRadius(const CurveSpan& span, float t0, float t1, float r0, float r1)
+    : span_(span),
+      t0_(t0),
+      t1_(t1),
+      scale0_(r0 / std::max(span.radius(t0), 1e-9f)),
+      scale1_(r1 / std::max(span.radius(t1), 1e-9f)) {}
+
+float RunningRadius::at(float t) const {
+  const float share = t1_ > t0_ ? (t - t0_) / (t1_ - t0_) : 0;
+  return span_.radius(t) * (scale0_ * (1 - share) + scale1_ * share);
+}
+
+std::pair<float, float> RunningRadius::run(float from, float to) const {
+  constexpr int kChords = 8;
+  float arc = 0, run = 0;
+  vec3 last = span_.point(from);
+  for (int i = 1; i <= kChords; ++i) {
+    const float t = from + (to - from) * static_cast<float>(i) / kChords;
+    const vec3 next = span_.point(t);
+    const float chord = glm::length(next - last);
+    arc += chord;
+    run += chord / std::max(at(t - 0.5f * (to - from) / kChords), 1e-6f);
+    last = next;
+  }
+  return {arc, run};
+}
 
 float barkRun(float length, float r0, float r1, float aspect) {
   const float a = std::max(r0, 1e-6f), b = std::max(r1, 1e-6f);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "model/plant/curves.h"
@@ -61,6 +62,19 @@ RingSet makeRings(const SkeletonGraph& graph, const Chains& chains, const std::v
 /// Rings of a chain that are kept at a tolerance in m (axis and radius together; Douglas and Peucker 1973; 6.4):
 /// positions in the chain, the first and last always among them.
 std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, float tolerance);
+
+/// The radius between two rings of one span: the curve's own, and what flare, seat and collar make of it at the rings.
+class RunningRadius {
+ public:
+  RunningRadius(const CurveSpan& span, float t0, float t1, float r0, float r1);
+  float at(float t) const;
+  /// Arc length in m, and arc over radius, between two parameters.
+  std::pair<float, float> run(float from, float to) const;
+
+ private:
+  const CurveSpan& span_;
+  float t0_, t1_, scale0_, scale1_;
+};
 
 /// Integral of ds / (2 pi r aspect) over a piece whose radius runs linearly from r0 to r1 (5).
 float barkRun(float length, float r0, float r1, float aspect);

@@ -46,37 +46,23 @@ std::uint32_t piecesBetween(const Ring& a, const Ring& b, bool onCurve, float ex
   return static_cast<std::uint32_t>(pieces);
 }
 
-/// How much of the arc between two parameters lies below `t`: a Hermite span does not run at one speed.
-float arcShare(const CurveSpan& span, float t0, float t1, float t) {
-  constexpr int kChords = 8;
-  const auto length = [&](float from, float to) {
-    float sum = 0;
-    vec3 last = span.point(from);
-    for (int i = 1; i <= kChords; ++i) {
-      const vec3 next = span.point(from + (to - from) * static_cast<float>(i) / kChords);
-      sum += glm::length(next - last);
-      last = next;
-    }
-    return sum;
-  };
-  const float below = length(t0, t), above = length(t, t1);
-  return below + above > 0 ? below / (below + above) : 0;
-}
-
 /// A ring between two others at a share of the way.
 MeshRing between(const MeshRing& a, const MeshRing& b, const Ring& from, const Ring& to, const CurveSpan* span,
                  float share) {
   MeshRing ring = a;
-  float arc = share;
+  float arc = share, run = share;
   float radius = a.radius + (b.radius - a.radius) * share;
   if (span != nullptr) {
     const float t0 = from.span == to.span ? from.t : 0, t = t0 + (to.t - t0) * share;
     ring.position = span->point(t);
     ring.tangent = span->tangent(t);
-    arc = arcShare(*span, t0, to.t, t);
-    // Flare, seat and collar stand on the curve's own radius.
-    const float ra = span->radius(t0), rb = span->radius(to.t);
-    radius = span->radius(t) * (a.radius / ra * (1 - share) + b.radius / rb * share);
+    const RunningRadius law(*span, t0, to.t, a.radius, b.radius);
+    radius = law.at(t);
+    // A Hermite span does not run at one speed, nor does its radius change evenly.
+    const auto [arcBelow, runBelow] = law.run(t0, t);
+    const auto [arcAbove, runAbove] = law.run(t, to.t);
+    arc = arcBelow / std::max(arcBelow + arcAbove, 1e-9f);
+    run = runBelow / std::max(runBelow + runAbove, 1e-9f);
   } else {
     ring.position = a.position + (b.position - a.position) * share;
     ring.tangent = glm::normalize(a.tangent * (1 - share) + b.tangent * share);
@@ -85,9 +71,11 @@ MeshRing between(const MeshRing& a, const MeshRing& b, const Ring& from, const R
   const vec3 normal = a.normal * (1 - share) + b.normal * share;
   ring.normal = glm::normalize(normal - ring.tangent * glm::dot(normal, ring.tangent));
   ring.along = a.along + (b.along - a.along) * arc;
-  // The share of the bark's run that lies below: exact for a radius that runs linearly.
-  const float whole = barkRun(1, a.radius, b.radius, 1);
-  ring.v = a.v + (b.v - a.v) * std::clamp(arc * barkRun(1, a.radius, radius, 1) / whole, 0.0f, 1.0f);
+  if (span == nullptr) {
+    // The share of the bark's run that lies below: exact for a radius that runs linearly.
+    run = std::clamp(share * barkRun(1, a.radius, radius, 1) / barkRun(1, a.radius, b.radius, 1), 0.0f, 1.0f);
+  }
+  ring.v = a.v + (b.v - a.v) * run;
   ring.bones[0] = a.bones[0], ring.bones[1] = b.bones[0];
   ring.second = a.bones[0] == b.bones[0] ? 0 : share;
   ring.flare = a.flare + (b.flare - a.flare) * share;
