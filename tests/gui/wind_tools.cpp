@@ -235,6 +235,9 @@ class WindToolsTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(statistics().time > 0.5, 30000);
     workspace_->controller().pause();
     QVERIFY(window_->settle());
+    // A single step ends where it is shown; a pause may stand between two steps.
+    workspace_->controller().step();
+    QVERIFY(window_->settle());
     const double time = statistics().time;
     const auto before = pose();
     QVector3D place = document_->project().tree({2})->position;
@@ -245,13 +248,12 @@ class WindToolsTest : public QObject {
     const TreeSpan moved = workspace_->feed().spans()[0], other = workspace_->feed().spans()[1];
     for (std::size_t i = other.firstLink; i < other.firstLink + other.linkCount; ++i) {
       const float turned = glm::length(after[i][0] - before[i][0]), shifted = glm::length(after[i][3] - before[i][3]);
-      // What was shown lay between two steps, what is kept is the last one.
-      QVERIFY2(turned < 0.02f && shifted < 0.05f, qPrintable(QStringLiteral("%1, %2 m").arg(turned).arg(shifted)));
+      QVERIFY2(turned < 5e-4f && shifted < 1e-3f, qPrintable(QStringLiteral("%1, %2 m").arg(turned).arg(shifted)));
     }
     // The moved one is bent as it was, somewhere else.
     const std::size_t tip = moved.firstLink + moved.linkCount - 1;
-    QVERIFY(glm::length(after[tip][0] - before[tip][0]) < 0.02f);
-    QVERIFY(glm::length(vec3(after[tip][3] - before[tip][3]) - vec3(1, 0, 2)) < 0.05f);
+    QVERIFY(glm::length(after[tip][0] - before[tip][0]) < 5e-4f);
+    QVERIFY(glm::length(vec3(after[tip][3] - before[tip][3]) - vec3(1, 0, 2)) < 1e-3f);
 
     // A third tree does not set the others back either.
     model::TreePlacement third;
@@ -263,7 +265,7 @@ class WindToolsTest : public QObject {
     QCOMPARE(statistics().time, time);
     const auto grown = pose();
     for (std::size_t i = other.firstLink; i < other.firstLink + other.linkCount; ++i) {
-      QVERIFY(glm::length(grown[i][0] - before[i][0]) < 0.02f);
+      QVERIFY(glm::length(grown[i][0] - before[i][0]) < 5e-4f);
     }
   }
 };
