@@ -50,10 +50,9 @@ void PlantCliTest::infoPrintsOneObject() {
   const test::ProgramRun run = windfallRun({"plant", plant(), "--info"});
   QCOMPARE(run.status, 0);
   const QJsonObject info = QJsonDocument::fromJson(run.out).object();
-  QCOMPARE(info.keys(),
-           (QStringList{"bones", "boundingBox", "buds", "chains", "clips", "depth", "firstFrequency", "format", "leaves",
-                        "mass", "maxInfluences", "nodes", "notes", "plants", "rigidBodies", "selfBuckling", "stems",
-                        "totalStemLength"}));
+  QCOMPARE(info.keys(), (QStringList{"bones", "boundingBox", "buds", "chains", "clips", "depth", "firstFrequency",
+                                     "format", "leaves", "mass", "maxInfluences", "nodes", "notes", "plants",
+                                     "rigidBodies", "selfBuckling", "stems", "totalStemLength"}));
   QCOMPARE(info["bones"].toInt(), 2);
   QCOMPARE(info["depth"].toInt(), 2);
   QCOMPARE(info["leaves"].toInt(), 1);

@@ -25,8 +25,8 @@ struct LeafFolder {
 /// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png to
 /// superpixels_5.png from coarse to fine, variant_000.png and on, each with its maps (variant_000_normal.png, …) and
 /// meshes (variant_000_mesh.json), compare.png, timings.json, and look_*.jpg, the stages laid over the photo. All is
-/// made in a folder beside `path` and put in place when it is whole; variants of an earlier run go. `path` is made where
-/// it is missing.
+/// made in a folder beside `path` and put in place when it is whole; variants of an earlier run go. `path` is made
+/// where it is missing.
 Status writeLeafFolder(const LeafFolder& leaf, const QString& path, Progress& progress);
 
 /// The variants of such a folder, turned upright, with maps and meshes.

@@ -12,8 +12,8 @@
 #include "model/plant/assimp_private.h"
 #include "model/plant/foliage.h"
 #include "model/plant/gltf_check.h"
-#include "model/plant/skeleton_geometry.h"
 #include "model/plant/import_repair.h"
+#include "model/plant/skeleton_geometry.h"
 
 namespace windfall::model {
 

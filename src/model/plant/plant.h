@@ -8,9 +8,9 @@
 
 #include "model/ids.h"
 #include "model/plant/clip.h"
-#include "model/plant/surface_settings.h"
 #include "model/plant/grow/hand_edit.h"
 #include "model/plant/grow/settings.h"
+#include "model/plant/surface_settings.h"
 #include "model/source_file.h"
 
 namespace windfall::model {
@@ -56,8 +56,8 @@ struct Plant {
   double leafDensity = 1;                   ///< leaves on the tree, share of the natural number
   std::vector<Clip> clips;                  ///< baked motions; those of the file are with its geometry
   SurfaceSettings surface;
-  SourceFile crown;                         ///< a closed mesh that the crown fills instead of its outline; metres
-  std::vector<HandEdit> handEdits;          ///< what was pruned, bent and drawn, in that order
+  SourceFile crown;                 ///< a closed mesh that the crown fills instead of its outline; metres
+  std::vector<HandEdit> handEdits;  ///< what was pruned, bent and drawn, in that order
   bool operator==(const Plant&) const = default;
 };
 

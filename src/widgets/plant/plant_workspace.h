@@ -3,9 +3,9 @@
 
 #include <QFileSystemWatcher>
 #include <QPointer>
+#include <QTimer>
 #include <map>
 #include <set>
-#include <QTimer>
 
 #include "widgets/plant/box_tool.h"
 #include "widgets/plant/branch_panel.h"

@@ -74,13 +74,12 @@ Status Renderer::Impl::compile() {
     return ok();
   };
   const std::string samples = "SAMPLES " + std::to_string(PictureTarget::kSamples);
-  for (const Status& status :
-       {link(sky, "sky.vert", "sky.frag", "STANDARD_QUALITY"),
-        link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
-        link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
-        link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
-        link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(), detail.compile(), leaves.compile(),
-        streaks.compile()}) {
+  for (const Status& status : {link(sky, "sky.vert", "sky.frag", "STANDARD_QUALITY"),
+                               link(ground[0], "ground.vert", "ground.frag", "STANDARD_QUALITY"),
+                               link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
+                               link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
+                               link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(),
+                               detail.compile(), leaves.compile(), streaks.compile()}) {
     if (!status) return status;
   }
   return ok();

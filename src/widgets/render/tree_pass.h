@@ -21,7 +21,8 @@ class TreePass {
   Status compile();
   /// Uploads meshes and pictures; checks every index and link.
   Status setContent(const SceneContent& content);
-  /// Draw calls made; `adaptive` leaves out the wood that adaptive meshes stand for. The frame's uniforms, bones (storage 0) and highlights (storage 1) are bound by the caller.
+  /// Draw calls made; `adaptive` leaves out the wood that adaptive meshes stand for. The frame's uniforms, bones
+  /// (storage 0) and highlights (storage 1) are bound by the caller.
   int draw(bool highQuality, bool adaptive = false) const;
   int drawShadow(const mat4& lightMatrix, bool adaptive = false) const;
   const std::vector<TreeDraw>& trees() const { return trees_; }
