@@ -3,6 +3,7 @@
 
 #include <assimp/scene.h>
 
+#include <assimp/Importer.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <string>
 #include <unordered_map>
@@ -10,6 +11,8 @@
 
 #include "model/plant/bone_fit.h"
 #include "model/plant/geometry.h"
+#include "model/progress.h"
+#include "model/source_file.h"
 #include "sim/result.h"
 
 namespace windfall::model::assimp {
@@ -40,12 +43,22 @@ struct File {
   std::vector<Node> nodes;
   std::vector<Instance> instances;
   std::unordered_map<std::string, int> nodeByName;  ///< looked up, never iterated
+  bool armature = false;                            ///< a mesh is bound to bones
 };
+
+/// Lower case, without the dot.
+QString extensionOf(const SourceFile& file);
+
+/// Opens a file as triangles; nothing else that it names is read. The importer owns the scene. Assimp may throw.
+Result<const aiScene*> openScene(Assimp::Importer& importer, const SourceFile& file, Progress& progress);
+
+/// What openScene() and the steps after it may throw, as one line.
+std::string oneLine(const char* message);
 
 Transform transformOf(const aiMatrix4x4& matrix);
 bool isFinite(const Transform& transform);
 
-/// Flattens the nodes; an error for a scene without a mesh, without an armature or with numbers that are none.
+/// Flattens the nodes; an error for a scene without a mesh or with numbers that are none.
 Result<File> indexScene(const aiScene& scene, bool gltf);
 
 /// Fills the bones and their rest poses (bone to plant space); returns what the fit of tails needs.

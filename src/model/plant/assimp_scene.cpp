@@ -99,19 +99,17 @@ Result<File> indexScene(const aiScene& scene, bool gltf) {
     for (unsigned i = source->mNumChildren; i-- > 0;) stack.emplace_back(source->mChildren[i], index);
   }
 
-  bool armature = false;
   for (std::size_t i = 0; i < file.nodes.size(); ++i) {
     const aiNode& node = *file.nodes[i].source;
     for (unsigned k = 0; k < node.mNumMeshes; ++k) {
       if (node.mMeshes[k] >= scene.mNumMeshes) return Error{"a node names a mesh that is not there"};
       const aiMesh* mesh = scene.mMeshes[node.mMeshes[k]];
       if (!mesh->HasPositions() || !mesh->HasFaces()) continue;
-      armature = armature || mesh->HasBones();
+      file.armature = file.armature || mesh->HasBones();
       file.instances.push_back({mesh, static_cast<int>(i), bindTransform(file, *mesh, static_cast<int>(i))});
     }
   }
   if (file.instances.empty()) return Error{"has no mesh"};
-  if (!armature) return Error{"has no armature: its mesh is not bound to bones"};
   return file;
 }
 

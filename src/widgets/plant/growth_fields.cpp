@@ -1,10 +1,11 @@
 #include "widgets/plant/growth_fields.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QPushButton>
 #include <algorithm>
 
-#include "model/plant/import.h"
+#include "model/source_file.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/crown_editor.h"
@@ -143,10 +144,14 @@ void GrowthFields::makeCrown(FieldPanel& panel) {
 
 void GrowthFields::importCrown() {
   const QString path = QFileDialog::getOpenFileName(crown_, tr("Crown Mesh"), {},
-                                                    tr("Meshes (%1)").arg(model::plantFilePatterns().join(' ')));
+                                                    tr("Meshes (%1)").arg("*.obj *.stl *.ply *.fbx *.glb *.gltf"));
   if (path.isEmpty()) return;
   Result<model::SourceFile> file = model::readSourceFile(path);
-  if (!file) return;
+  if (!file) {
+    emit problem(
+        QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(file.error().message)));
+    return;
+  }
   document_.setPlant(plant_, &model::Plant::crown, std::move(*file), model::Aspect::PlantSource,
                      tr("Fill a mesh with the crown"));
 }

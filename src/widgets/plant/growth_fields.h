@@ -28,6 +28,8 @@ class GrowthFields : public QObject {
  signals:
   /// The shown plant is of another method than the plain rule, or is so again.
   void methodShown(bool byRule);
+  /// One line on what could not be done.
+  void problem(const QString& text);
 
  private:
   using Change = std::function<void(model::GrowerSettings&)>;

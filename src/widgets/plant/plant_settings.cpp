@@ -107,6 +107,7 @@ PlantSettings::PlantSettings(model::Document& document, FieldPanel& panel, QObje
       [](const GrowerSettings& g) { return g.spread; }, [](GrowerSettings& g, double v) { g.spread = v; }));
   ruleRows_.back()->setToolTip(tr("Angle between a limb and the trunk"));
   growth_ = new GrowthFields(document_, panel, *grower_, this);
+  connect(growth_, &GrowthFields::problem, this, &PlantSettings::problem);
   connect(growth_, &GrowthFields::methodShown, this, [this](bool byRule) {
     for (QWidget* row : ruleRows_) row->setVisible(byRule);
   });

@@ -37,6 +37,8 @@ class PlantSettings : public QObject {
   void windChanged(double speed);
   void importWanted();
   void growWanted();
+  /// One line on what could not be done.
+  void problem(const QString& text);
 
  private:
   NumberField* grower(const QString& key, const QString& label, const NumberSpec& spec,

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <new>
 
+#include "model/plant/assimp_private.h"
 #include "model/plant/grow/crown_volume.h"
-#include "model/plant/import.h"
-#include "model/plant/plant.h"
 
 namespace windfall::model::growth {
 
@@ -80,16 +80,40 @@ bool ClosedMesh::contains(dvec3 point) const {
 }
 
 Result<ClosedMesh> readCrownMesh(const SourceFile& file, Progress& progress) {
-  Plant plant;
-  plant.file = file;
-  Result<PlantGeometry> geometry = loadGeometry(plant, progress);
-  if (!geometry) return Error{"the crown's mesh: " + geometry.error().message, geometry.error().cancelled};
-  if (geometry->indices.empty()) return Error{"the crown's mesh has no triangles"};
-  std::vector<dvec3> vertices;
-  vertices.reserve(geometry->vertices.size());
-  for (const Vertex& vertex : geometry->vertices) vertices.emplace_back(vertex.position);
-  std::vector<int> triangles(geometry->indices.begin(), geometry->indices.end());
-  return ClosedMesh(std::move(vertices), std::move(triangles));
+  const auto refused = [](const Error& error) {
+    return Error{error.cancelled ? error.message : "the crown's mesh " + error.message, error.cancelled};
+  };
+  try {
+    Assimp::Importer importer;
+    const Result<const aiScene*> scene = assimp::openScene(importer, file, progress);
+    if (!scene) return refused(scene.error());
+    const Result<assimp::File> indexed = assimp::indexScene(**scene, assimp::extensionOf(file) != QLatin1String("fbx"));
+    if (!indexed) return refused(indexed.error());
+    std::vector<dvec3> vertices;
+    std::vector<int> triangles;
+    for (const assimp::Instance& instance : indexed->instances) {
+      const auto first = static_cast<int>(vertices.size());
+      for (unsigned i = 0; i < instance.mesh->mNumVertices; ++i) {
+        const aiVector3D& v = instance.mesh->mVertices[i];
+        const dvec3 placed = instance.toPlant * glm::dvec4(v.x, v.y, v.z, 1);
+        if (!(std::isfinite(placed.x) && std::isfinite(placed.y) && std::isfinite(placed.z))) {
+          return Error{"the crown's mesh has a vertex that is not a number"};
+        }
+        vertices.push_back(placed);
+      }
+      for (unsigned i = 0; i < instance.mesh->mNumFaces; ++i) {
+        const aiFace& face = instance.mesh->mFaces[i];
+        if (face.mNumIndices != 3) continue;
+        for (unsigned k = 0; k < 3; ++k) triangles.push_back(first + static_cast<int>(face.mIndices[k]));
+      }
+    }
+    if (triangles.empty()) return Error{"the crown's mesh has no triangles"};
+    return ClosedMesh(std::move(vertices), std::move(triangles));
+  } catch (const std::bad_alloc&) {
+    return Error{"the crown's mesh needs more memory than there is"};
+  } catch (const std::exception& problem) {
+    return Error{"the crown's mesh " + assimp::oneLine(problem.what())};
+  }
 }
 
 }  // namespace windfall::model::growth

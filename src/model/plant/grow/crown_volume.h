@@ -32,7 +32,7 @@ class ClosedMesh {
   std::vector<std::vector<int>> cells_[3];
 };
 
-/// Reads the mesh of a file as one closed surface; see importers of plants for its formats.
+/// Reads all meshes of a file (OBJ, STL, PLY, FBX, glTF) as one closed surface in metres, Y up.
 Result<ClosedMesh> readCrownMesh(const SourceFile& file, Progress& progress);
 
 /// Radius in shares of CrownSettings::radius at a share of the crown's height, to the right or the left.
