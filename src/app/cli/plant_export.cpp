@@ -20,6 +20,7 @@ namespace windfall::app {
 namespace {
 
 constexpr const char* kBarks[] = {"oak", "birch", "beech", "pine", "maple", "herb"};
+constexpr const char* kLeafMeshes[] = {"automatic", "fine", "medium", "hull", "rectangle"};
 constexpr const char* kLeaves[] = {"instances", "merged", "nodes", "none"};
 
 template <std::size_t n>
@@ -86,6 +87,9 @@ std::shared_ptr<PlantExportCli> declarePlantExport(CLI::App& command) {
   command.add_option("--leaves", o->leaves, "How leaves are written")
       ->check(CLI::IsMember(all(kLeaves, std::size(kLeaves))))
       ->capture_default_str();
+  command.add_option("--leaf-mesh", o->leafMesh, "How finely a leaf follows its contour; hull and rectangle are flat")
+      ->check(CLI::IsMember(all(kLeafMeshes, std::size(kLeafMeshes))))
+      ->capture_default_str();
   command.add_option("--levels", o->levels, "Levels of detail")->check(CLI::Range(1, 4))->capture_default_str();
   command.add_option("--prim-version", o->primVersion, "Version of a .prim: 3 to 6")->check(CLI::Range(3, 6));
   command.add_option("--chains", o->chains, "What continues a branch")
@@ -121,6 +125,7 @@ int exportPlant(const std::string& file, const std::string& output, const PlantE
   QJsonObject values{{"bones", options.bones},
                      {"depth", options.depth},
                      {"leaves", placeOf(kLeaves, options.leaves)},
+                     {"leafMesh", placeOf(kLeafMeshes, options.leafMesh)},
                      {"levels", options.levels}};
   if (options.detail >= 0) values["detail"] = options.detail;
   const model::Exporter* exporter = model::findExporter(suffix == QLatin1String("obj") ? "obj" : "gltf");

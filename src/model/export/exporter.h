@@ -24,7 +24,8 @@ struct ExportParameter {
   QString key;
   QString title;
   double initial = 0, low = 0, high = 0;
-  bool whole = false;  ///< only whole numbers
+  bool whole = false;   ///< only whole numbers
+  QStringList choices;  ///< translated; where it has any, the value is a place in it
 };
 
 class Exporter {

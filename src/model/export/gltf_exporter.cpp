@@ -6,6 +6,7 @@
 
 #include "model/document/durable_file.h"
 #include "model/export/gltf_writer.h"
+#include "model/export/tangents.h"
 #include "model/progress_part.h"
 
 namespace windfall::model {
@@ -26,9 +27,19 @@ void append(std::vector<float>& out, const V& v) {
   for (int k = 0; k < V::length(); ++k) out.push_back(v[k]);
 }
 
+template <class V>
+std::vector<float> flat(const std::vector<V>& vectors) {
+  std::vector<float> out;
+  out.reserve(vectors.size() * static_cast<std::size_t>(V::length()));
+  for (const V& v : vectors) append(out, v);
+  return out;
+}
+
 /// Arrays of one skinned mesh.
 struct SkinnedArrays {
-  std::vector<float> positions, normals, uvs, weights;
+  std::vector<vec3> positions, normals;
+  std::vector<vec2> uvs;
+  std::vector<float> weights;
   std::vector<std::uint16_t> joints;
   std::vector<std::uint8_t> colours;
 };
@@ -113,23 +124,35 @@ class GltfPlant {
     material.name = shape.name;
     material.baseColor = vec4(1);
     material.texture = shape.image;
+    material.normalMap = shape.normalMap;
     material.roughness = 0.6f;
     material.leaf = material.doubleSided = true;
     return addMaterial(material);
   }
 
-  QJsonObject attributes(const SkinnedArrays& arrays, bool coloured) {
-    QJsonObject result{{"POSITION", out_.floats(arrays.positions, 3, kVertices, true)},
-                       {"NORMAL", out_.floats(arrays.normals, 3, kVertices)},
-                       {"TEXCOORD_0", out_.floats(arrays.uvs, 2, kVertices)},
-                       {"WEIGHTS_0", out_.floats(arrays.weights, 4, kVertices)}};
+  /// With tangents where the material has a normal map.
+  QJsonObject shapeAttributes(const std::vector<vec3>& positions, const std::vector<vec3>& normals,
+                              const std::vector<vec2>& uvs, const std::vector<std::uint32_t>& indices, int material) {
+    QJsonObject result{{"POSITION", out_.floats(flat(positions), 3, kVertices, true)},
+                       {"NORMAL", out_.floats(flat(normals), 3, kVertices)},
+                       {"TEXCOORD_0", out_.floats(flat(uvs), 2, kVertices)}};
+    if (out_.at("materials", material).contains("normalTexture")) {
+      result["TANGENT"] = out_.floats(flat(tangentsOf(positions, normals, uvs, indices)), 4, kVertices);
+    }
+    return result;
+  }
+
+  QJsonObject primitive(const SkinnedArrays& arrays, const std::vector<std::uint32_t>& indices, int material,
+                        bool coloured) {
+    QJsonObject result = shapeAttributes(arrays.positions, arrays.normals, arrays.uvs, indices, material);
+    result["WEIGHTS_0"] = out_.floats(arrays.weights, 4, kVertices);
     if (coloured) result["COLOR_0"] = out_.bytes(arrays.colours, 4, true);
     if (bones().size() > 255) {
       result["JOINTS_0"] = out_.shorts(arrays.joints, 4);
     } else {
       result["JOINTS_0"] = out_.bytes({arrays.joints.begin(), arrays.joints.end()}, 4, false);
     }
-    return result;
+    return {{"attributes", result}, {"indices", out_.indices(indices)}, {"material", material}};
   }
 
   /// The vertices that a part uses, in arrays of its own: readers split shared ones badly.
@@ -146,16 +169,15 @@ class GltfPlant {
       }
       indices.push_back(to);
     }
-    const QJsonObject own = attributes(arrays, coloured);
-    return {{"attributes", own}, {"indices", out_.indices(indices)}, {"material", bark_[at(part.material)]}};
+    return primitive(arrays, indices, bark_[at(part.material)], coloured);
   }
 
   /// True where the vertex has a colour.
   static bool appendVertex(const Vertex& vertex, SkinnedArrays& arrays) {
-    append(arrays.positions, vertex.position);
+    arrays.positions.push_back(vertex.position);
     const float length = glm::length(vertex.normal);
-    append(arrays.normals, length > 1e-6f ? vertex.normal / length : vec3(0, 1, 0));
-    append(arrays.uvs, vertex.uv);
+    arrays.normals.push_back(length > 1e-6f ? vertex.normal / length : vec3(0, 1, 0));
+    arrays.uvs.push_back(vertex.uv);
     float sum = 0;
     for (const float weight : vertex.weights) sum += weight;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -209,20 +231,18 @@ class GltfPlant {
       std::vector<std::uint32_t> indices;
       for (const PlacedLeaf& leaf : model_.leaves) {
         if (leaf.shape != static_cast<int>(s)) continue;
-        const auto first = static_cast<std::uint32_t>(arrays.positions.size() / 3);
+        const auto first = static_cast<std::uint32_t>(arrays.positions.size());
         for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-          append(arrays.positions, leaf.position + leaf.rotation * (leaf.size * shape.positions[i]));
-          append(arrays.normals, leaf.rotation * vec3(0, 0, 1));
-          append(arrays.uvs, shape.uvs[i]);
+          arrays.positions.push_back(leaf.position + leaf.rotation * (leaf.size * shape.positions[i]));
+          arrays.normals.push_back(glm::normalize(leaf.rotation * shape.normals[i]));
+          arrays.uvs.push_back(shape.uvs[i]);
           append(arrays.weights, vec4(1, 0, 0, 0));
           for (const int joint : {leaf.bone, 0, 0, 0}) arrays.joints.push_back(static_cast<std::uint16_t>(joint));
         }
         for (const std::uint32_t index : shape.indices) indices.push_back(first + index);
       }
       if (indices.empty()) continue;
-      const QJsonObject own = attributes(arrays, false);
-      primitives.append(
-          QJsonObject{{"attributes", own}, {"indices", out_.indices(indices)}, {"material", leafMaterials_[s]}});
+      primitives.append(primitive(arrays, indices, leafMaterials_[s], false));
     }
     const int mesh = out_.add("meshes", {{"name", "leaves"}, {"primitives", primitives}});
     return out_.add("nodes", {{"name", "leaves"}, {"mesh", mesh}, {"skin", 0}});
@@ -234,17 +254,9 @@ class GltfPlant {
     int& mesh = leafMeshes_[at(index)];
     if (mesh >= 0) return mesh;
     const LeafShape& shape = model_.shapes[at(index)];
-    std::vector<float> positions, normals, uvs;
-    for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-      append(positions, shape.positions[i]);
-      append(normals, vec3(0, 0, 1));
-      append(uvs, shape.uvs[i]);
-    }
-    const QJsonObject primitive{{"attributes", QJsonObject{{"POSITION", out_.floats(positions, 3, kVertices, true)},
-                                                           {"NORMAL", out_.floats(normals, 3, kVertices)},
-                                                           {"TEXCOORD_0", out_.floats(uvs, 2, kVertices)}}},
-                                {"indices", out_.indices(shape.indices)},
-                                {"material", leafMaterials_[at(index)]}};
+    const int material = leafMaterials_[at(index)];
+    const QJsonObject own = shapeAttributes(shape.positions, shape.normals, shape.uvs, shape.indices, material);
+    const QJsonObject primitive{{"attributes", own}, {"indices", out_.indices(shape.indices)}, {"material", material}};
     mesh = out_.add("meshes", {{"name", shape.name}, {"primitives", QJsonArray{primitive}}});
     return mesh;
   }
@@ -338,29 +350,39 @@ QString GltfExporter::title() const { return QCoreApplication::translate("Export
 
 std::vector<ExportParameter> plantExportParameters() {
   const auto text = [](const char* source) { return QCoreApplication::translate("Exporter", source); };
-  return {{QStringLiteral("detail"), text(QT_TRANSLATE_NOOP("Exporter", "Detail (0 to 1; -1: the plant's own)")), -1,
-           -1, 1, false},
-          {QStringLiteral("bones"), text(QT_TRANSLATE_NOOP("Exporter", "Bones at most (0: all)")), 0, 0, 65535, true},
-          {QStringLiteral("depth"), text(QT_TRANSLATE_NOOP("Exporter", "Depth of bones at most (0: any)")), 0, 0, 1000,
-           true},
-          {QStringLiteral("leaves"),
-           text(QT_TRANSLATE_NOOP("Exporter", "Leaves (0 instances, 1 merged, 2 nodes, 3 none)")), 1, 0, 3, true},
-          {QStringLiteral("levels"), text(QT_TRANSLATE_NOOP("Exporter", "Levels of detail")), 1, 1, 4, true}};
+  const QStringList leaves{text(QT_TRANSLATE_NOOP("Exporter", "Instances (few programs read them)")),
+                           text(QT_TRANSLATE_NOOP("Exporter", "One skinned mesh")),
+                           text(QT_TRANSLATE_NOOP("Exporter", "An object each")),
+                           text(QT_TRANSLATE_NOOP("Exporter", "None"))};
+  const QStringList meshes{
+      text(QT_TRANSLATE_NOOP("Exporter", "Automatic")), text(QT_TRANSLATE_NOOP("Exporter", "Fine, folded and bent")),
+      text(QT_TRANSLATE_NOOP("Exporter", "Medium, folded and bent")), text(QT_TRANSLATE_NOOP("Exporter", "Hull, flat")),
+      text(QT_TRANSLATE_NOOP("Exporter", "Rectangle, flat"))};
+  return {{"detail", text(QT_TRANSLATE_NOOP("Exporter", "Detail (0 to 1; -1: the plant's own)")), -1, -1, 1, false, {}},
+          {"bones", text(QT_TRANSLATE_NOOP("Exporter", "Bones at most (0: all)")), 0, 0, 65535, true, {}},
+          {"depth", text(QT_TRANSLATE_NOOP("Exporter", "Depth of bones at most (0: any)")), 0, 0, 1000, true, {}},
+          {"leaves", text(QT_TRANSLATE_NOOP("Exporter", "Leaves")), 1, 0, 3, true, leaves},
+          {"leafMesh", text(QT_TRANSLATE_NOOP("Exporter", "Leaf mesh")), 0, 0, 4, true, meshes},
+          {"levels", text(QT_TRANSLATE_NOOP("Exporter", "Levels of detail")), 1, 1, 4, true, {}}};
 }
 
 Result<PlantExportOptions> plantExportOptions(const Exporter& exporter, const QJsonObject& values) {
-  PlantExportOptions options;
-  double numbers[5];
-  const char* const keys[] = {"detail", "bones", "depth", "leaves", "levels"};
-  for (std::size_t i = 0; i < 5; ++i) {
-    const Result<double> value = parameterValue(exporter, values, QLatin1String(keys[i]));
+  std::map<QString, double> numbers;
+  for (const ExportParameter& parameter : exporter.parameters()) {
+    const Result<double> value = parameterValue(exporter, values, parameter.key);
     if (!value) return value.error();
-    numbers[i] = *value;
+    numbers[parameter.key] = *value;
   }
-  options.detail = numbers[0];
-  options.bones = {static_cast<int>(numbers[1]), static_cast<int>(numbers[2])};
-  options.leaves = static_cast<LeafExport>(static_cast<int>(numbers[3]));
-  options.levels = static_cast<int>(numbers[4]);
+  const auto number = [&](const char* key, int otherwise) {
+    const auto found = numbers.find(QLatin1String(key));
+    return found == numbers.end() ? otherwise : static_cast<int>(found->second);
+  };
+  PlantExportOptions options;
+  options.detail = numbers["detail"];
+  options.bones = {number("bones", 0), number("depth", 0)};
+  options.leaves = static_cast<LeafExport>(number("leaves", static_cast<int>(LeafExport::Merged)));
+  options.leafMesh = static_cast<LeafExportMesh>(number("leafMesh", 0));
+  options.levels = number("levels", 1);
   return options;
 }
 

@@ -75,7 +75,7 @@ QByteArray mtlText(const PlantGeometry& geometry, const QStringList& pictures) {
 std::vector<ExportParameter> ObjExporter::parameters() const {
   std::vector<ExportParameter> own;
   for (const ExportParameter& parameter : plantExportParameters()) {
-    if (parameter.key == QLatin1String("detail") || parameter.key == QLatin1String("leaves")) own.push_back(parameter);
+    if (QStringList{"detail", "leaves", "leafMesh"}.contains(parameter.key)) own.push_back(parameter);
   }
   return own;
 }
@@ -105,7 +105,7 @@ void mergeLeaves(PlantModel& model) {
       for (std::size_t i = 0; i < shape.positions.size(); ++i) {
         Vertex vertex{};
         vertex.position = leaf.position + leaf.rotation * (leaf.size * shape.positions[i]);
-        vertex.normal = leaf.rotation * vec3(0, 0, 1);
+        vertex.normal = leaf.rotation * shape.normals[i];
         vertex.uv = shape.uvs[i];
         geometry.vertices.push_back(vertex);
       }
@@ -120,14 +120,11 @@ void mergeLeaves(PlantModel& model) {
 
 Status ObjExporter::write(const Project& project, AssetId asset, const QString& path, const QJsonObject& values,
                           Progress& progress) const {
-  PlantExportOptions options;
-  const Result<double> detail = parameterValue(*this, values, QStringLiteral("detail"));
-  if (!detail) return detail.error();
-  const Result<double> leaves = parameterValue(*this, values, QStringLiteral("leaves"));
-  if (!leaves) return leaves.error();
-  options.detail = *detail;
-  options.leaves = static_cast<LeafExport>(static_cast<int>(*leaves));
-  Result<PlantModel> model = modelOf(project, asset, options, progress);
+  Result<PlantExportOptions> options = plantExportOptions(*this, values);
+  if (!options) return options.error();
+  // OBJ knows one mesh alone.
+  if (options->leaves != LeafExport::None) options->leaves = LeafExport::Merged;
+  Result<PlantModel> model = modelOf(project, asset, *options, progress);
   if (!model) return model.error();
   if (progress.cancelled()) return Error{"cancelled", true};
   mergeLeaves(*model);

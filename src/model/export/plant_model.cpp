@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/leaf/ageing.h"
 #include "model/leaf/leaf_mesh.h"
 #include "model/plant/bodies.h"
 #include "model/plant/frames.h"
@@ -19,19 +20,35 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-LeafShape shapeOf(const LeafTexture& texture) {
+constexpr std::size_t kManyMergedLeaves = 5000;
+
+/// Place in LeafMeshes.
+std::size_t levelOf(const PlantExportOptions& options, std::size_t leaves) {
+  if (options.leafMesh != LeafExportMesh::Automatic) {
+    return static_cast<std::size_t>(options.leafMesh) - static_cast<std::size_t>(LeafExportMesh::Fine);
+  }
+  return options.leaves == LeafExport::Merged && leaves > kManyMergedLeaves ? 2 : 1;
+}
+
+LeafShape shapeOf(const LeafTexture& texture, std::size_t level) {
   LeafShape shape;
   shape.name = texture.name;
   shape.image = texture.image;
-  LeafMesh mesh;
-  // A hull of few corners: exports hang thousands of them.
-  Result<LeafMeshes> fitted = fitLeafMeshes({texture.image, texture.pivot, {}});
-  if (fitted) mesh = std::move((*fitted)[2]);
-  for (const LeafVertex& vertex : mesh.vertices) {
-    shape.positions.emplace_back(vertex.place, 0);
+  shape.normalMap = texture.maps.normal;
+  LeafMeshes meshes = texture.meshes;
+  if (meshes[level].vertices.empty()) {
+    if (Result<LeafMeshes> fitted = fitTexture(texture)) meshes = std::move(*fitted);
+  }
+  const float dryness = static_cast<float>(leafAge(texture.ageing).dryness(texture.ageing.wetness));
+  const LeafBend bent = bendOf(dryness, 0, texture.stalk, texture.halfWidth);
+  for (const LeafVertex& vertex : meshes[level].vertices) {
+    // Hull and rectangle have no vertices on the midrib that they could fold at.
+    const BentPoint point = level < 2 ? bend(vertex, bent) : BentPoint{vec3(vertex.place, 0)};
+    shape.positions.push_back(point.position);
+    shape.normals.push_back(glm::normalize(point.normal));
     shape.uvs.push_back(vertex.uv);
   }
-  shape.indices = mesh.indices;
+  shape.indices = meshes[level].indices;
   return shape;
 }
 
@@ -120,7 +137,8 @@ Result<PlantModel> modelOf(const Project& project, AssetId id, const PlantExport
     placeSites(buildBodies(model.geometry, *plant, range.first, range.count), model.geometry);
     Result<std::vector<LeafTexture>> textures = makeLayers(own, plan, leaves);
     if (!textures) return about(textures.error());
-    for (const LeafTexture& texture : *textures) model.shapes.push_back(shapeOf(texture));
+    const std::size_t level = levelOf(options, model.geometry.leafSites.size());
+    for (const LeafTexture& texture : *textures) model.shapes.push_back(shapeOf(texture, level));
   } else {
     model.geometry.leafSites.clear();
   }

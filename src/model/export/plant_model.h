@@ -15,18 +15,30 @@ enum class LeafExport {
   None,
 };
 
+/// How finely an exported leaf follows its contour (leaf_mesh.h); all but the flat ones are folded and bent.
+enum class LeafExportMesh {
+  Automatic,  ///< medium; the hull where very many are merged
+  Fine,
+  Medium,
+  Hull,       ///< flat, eight corners at most
+  Rectangle,  ///< flat
+};
+
 struct PlantExportOptions {
   double detail = -1;  ///< 0..1; negative: the plant's own
   BoneLimits bones;
   LeafExport leaves = LeafExport::Merged;
+  LeafExportMesh leafMesh = LeafExportMesh::Automatic;
   int levels = 1;  ///< static levels of detail, the first with `detail`
 };
 
-/// A leaf's blade for one picture: lengths in leaf lengths, +y to the tip, +z out of the upper face.
+/// A leaf's blade for one picture: lengths in leaf lengths from the petiole's end, +y to the tip, +z out of the upper
+/// face.
 struct LeafShape {
   QString name;
   QImage image;
-  std::vector<vec3> positions;
+  QImage normalMap;  ///< as Material's
+  std::vector<vec3> positions, normals;
   std::vector<vec2> uvs;
   std::vector<std::uint32_t> indices;
 };

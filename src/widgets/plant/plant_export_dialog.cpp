@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/look/look.h"
 
@@ -15,6 +16,15 @@ PlantExportDialog::PlantExportDialog(const model::Exporter& exporter, const QJso
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kGrid);
   for (const model::ExportParameter& parameter : exporter.parameters()) {
+    const double now = values.value(parameter.key).toDouble(parameter.initial);
+    if (!parameter.choices.isEmpty()) {
+      auto* choice = new ChoiceField(parameter.title, parameter.choices, static_cast<int>(parameter.initial));
+      choice->setObjectName("export." + parameter.key);
+      choice->setValue(static_cast<int>(now));
+      column->addWidget(choice);
+      fields_.emplace_back(parameter.key, [choice] { return choice->value(); });
+      continue;
+    }
     auto* field = new NumberField(parameter.title, {.minimum = parameter.low,
                                                     .maximum = parameter.high > 1000 ? 1000 : parameter.high,
                                                     .defaultValue = parameter.initial,
@@ -22,9 +32,9 @@ PlantExportDialog::PlantExportDialog(const model::Exporter& exporter, const QJso
                                                     .hardMinimum = parameter.low,
                                                     .hardMaximum = parameter.high});
     field->setObjectName("export." + parameter.key);
-    field->setValue(values.value(parameter.key).toDouble(parameter.initial));
+    field->setValue(now);
     column->addWidget(field);
-    fields_.emplace_back(parameter.key, field);
+    fields_.emplace_back(parameter.key, [field] { return field->value(); });
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Export"));
@@ -36,7 +46,7 @@ PlantExportDialog::PlantExportDialog(const model::Exporter& exporter, const QJso
 
 QJsonObject PlantExportDialog::values() const {
   QJsonObject values;
-  for (const auto& [key, field] : fields_) values[key] = field->value();
+  for (const auto& [key, value] : fields_) values[key] = value();
   return values;
 }
 

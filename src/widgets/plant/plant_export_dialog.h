@@ -3,12 +3,11 @@
 
 #include <QDialog>
 #include <QJsonObject>
+#include <functional>
 
 #include "model/export/exporter.h"
 
 namespace windfall::widgets {
-
-class NumberField;
 
 class PlantExportDialog : public QDialog {
   Q_OBJECT
@@ -18,7 +17,7 @@ class PlantExportDialog : public QDialog {
   QJsonObject values() const;
 
  private:
-  std::vector<std::pair<QString, NumberField*>> fields_;
+  std::vector<std::pair<QString, std::function<double()>>> fields_;
 };
 
 }  // namespace windfall::widgets

@@ -62,7 +62,11 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent) {
           [this](const QVariant& share) { applyCamera(OrbitCamera(between(start_, goal_, share.toDouble()))); });
 }
 
-Viewport::~Viewport() { releaseRenderer(); }
+Viewport::~Viewport() {
+  releaseRenderer();
+  // The base class destroys the context, when this is no Viewport any more.
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
+}
 
 void Viewport::setSource(FrameSource* source) {
   if (source_ == source) return;

@@ -12,6 +12,7 @@
 #include "model/plant/bodies.h"
 #include "model/plant/import.h"
 #include "model/plant/prim_format.h"
+#include "support/gltf_validator.h"
 #include "support/skeleton_data.h"
 #include "support/suite.h"
 
@@ -52,22 +53,6 @@ QJsonObject jsonOf(const QByteArray& glb) {
   return QJsonDocument::fromJson(glb.mid(20, static_cast<qsizetype>(length))).object();
 }
 
-/// What the validator finds, "none" for nothing; no value where it is not installed (npm install gltf-validator).
-std::optional<QString> validatorErrors(const QString& file) {
-  const QString node = QStandardPaths::findExecutable("node");
-  const QString modules = qEnvironmentVariable("WINDFALL_GLTF_VALIDATOR");
-  if (node.isEmpty() || modules.isEmpty() || !QFileInfo::exists(modules)) return std::nullopt;
-  QProcess process;
-  process.start(node, {"-e",
-                       "const v=require(process.argv[1]),fs=require('fs'),path=require('path'),f=process.argv[2];"
-                       "v.validateBytes(new Uint8Array(fs.readFileSync(f)),{uri:f,externalResourceFunction:u=>Promise."
-                       "resolve(new Uint8Array(fs.readFileSync(path.join(path.dirname(f),decodeURIComponent(u)))))})"
-                       ".then(r=>console.log(r.issues.numErrors?JSON.stringify(r.issues.messages.slice(0,4)):'none'))",
-                       modules, file});
-  if (!process.waitForFinished(60'000)) return QStringLiteral("the validator does not end");
-  return QString::fromUtf8(process.readAllStandardOutput()).trimmed();
-}
-
 Result<PlantGeometry> geometryFor(const SkeletonGraph& graph) {
   Progress progress;
   return loadGeometry(projectOf(graph).plants[0], progress);
@@ -93,6 +78,8 @@ class PlantExportTest : public QObject {
   void itIsReadBackWithItsBones();
   void theValidatorFindsNoError();
   void blenderOpensIt();
+  void leavesAreFoldedAndBent_data();
+  void leavesAreFoldedAndBent();
   void levelsOfDetailGetCoarser();
   void fewerBonesKeepTheMeshWhole_data();
   void fewerBonesKeepTheMeshWhole();
@@ -120,8 +107,14 @@ void PlantExportTest::glbHasSkinMaterialsLeavesAndMotion() {
   QCOMPARE(json["skins"].toArray()[0].toObject()["joints"].toArray().size(), qsizetype(graph.segments.size()));
   QCOMPARE(json["animations"].toArray()[0].toObject()["name"].toString(), QString("sway"));
   QCOMPARE(json["animations"].toArray()[0].toObject()["channels"].toArray().size(), 2);
-  // Bark, its normals, and a leaf's picture.
-  QCOMPARE(json["images"].toArray().size(), leaves == 3 ? 2 + 1 : 2 + 1 + 1);
+  // Of bark and leaf: colours and normals.
+  QCOMPARE(json["images"].toArray().size(), leaves == 3 ? 2 + 1 : 2 + 1 + 2);
+  for (const QJsonValue mesh : json["meshes"].toArray()) {
+    for (const QJsonValue primitive : mesh["primitives"].toArray()) {
+      const QJsonValue material = json["materials"].toArray()[primitive["material"].toInt()];
+      QCOMPARE(primitive["attributes"].toObject().contains("TANGENT"), material.toObject().contains("normalTexture"));
+    }
+  }
   int named = 0, instanced = 0;
   for (const QJsonValue node : json["nodes"].toArray()) {
     named += node["name"].toString().startsWith("leaf.");
@@ -160,18 +153,14 @@ void PlantExportTest::theValidatorFindsNoError() {
   QTemporaryDir folder;
   Progress progress;
   const Exporter& exporter = *findExporter("gltf");
-  if (!qEnvironmentVariableIsSet("WINDFALL_GLTF_VALIDATOR")) {
-    QSKIP("gltf-validator is not there (npm install gltf-validator, WINDFALL_GLTF_VALIDATOR)");
-  }
+  if (!test::hasValidator()) QSKIP(test::kNoValidator);
   const std::pair<const char*, QJsonObject> files[] = {{"plant.gltf", {{"leaves", 0}}},
                                                        {"plant.glb", {{"leaves", 1}, {"levels", 2}}},
                                                        {"few.glb", {{"leaves", 2}, {"bones", 12}}}};
   for (const auto& [name, values] : files) {
     const QString path = folder.filePath(name);
     QVERIFY(exporter.write(projectOf(test::smallTree(3)), {1}, path, values, progress));
-    const std::optional<QString> errors = validatorErrors(path);
-    QVERIFY(errors.has_value());
-    QCOMPARE(*errors, QString("none"));
+    QCOMPARE(test::validatorErrors(path), QString("none"));
   }
 }
 
@@ -210,6 +199,39 @@ void PlantExportTest::blenderOpensIt() {
                                  .arg(leaves == 1 ? 2 : 1)
                                  .arg(leaves == 1 ? 1 : static_cast<int>(graph.leaves.size()));
     QVERIFY2(text.contains(expected) || text.contains(QString(expected).replace(" 3 ", " 4 ")), qPrintable(text));
+  }
+}
+
+void PlantExportTest::leavesAreFoldedAndBent_data() {
+  QTest::addColumn<int>("mesh");
+  QTest::addColumn<bool>("flat");
+  QTest::newRow("fine") << 1 << false;
+  QTest::newRow("medium") << 2 << false;
+  QTest::newRow("hull") << 3 << true;
+  QTest::newRow("rectangle") << 4 << true;
+}
+
+void PlantExportTest::leavesAreFoldedAndBent() {
+  QFETCH(int, mesh);
+  QFETCH(bool, flat);
+  Progress progress;
+  PlantExportOptions options;
+  options.leafMesh = static_cast<LeafExportMesh>(mesh);
+  const Result<PlantModel> model = modelOf(projectOf(test::smallTree(3)), {1}, options, progress);
+  QVERIFY(model && !model->shapes.empty());
+  const LeafShape& shape = model->shapes[0];
+  float least = 0, most = 0;
+  for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+    least = std::min(least, shape.positions[i].z), most = std::max(most, shape.positions[i].z);
+    QVERIFY(std::abs(glm::length(shape.normals[i]) - 1) < 1e-4f);
+  }
+  QCOMPARE(most - least < 1e-6f, flat);
+  if (!flat) QVERIFY(most - least > 0.05f);
+  // The upper face looks along the normals.
+  for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
+    const vec3 a = shape.positions[shape.indices[i]], b = shape.positions[shape.indices[i + 1]],
+               c = shape.positions[shape.indices[i + 2]];
+    QVERIFY(glm::dot(glm::cross(b - a, c - a), shape.normals[shape.indices[i]]) >= -1e-7f);
   }
 }
 
