@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 
 #include "model/document/durable_file.h"
 #include "model/export/gltf_writer.h"
@@ -207,7 +208,8 @@ class GltfPlant {
   static std::uint8_t tinted(const Vertex& vertex, std::size_t channel) {
     constexpr float kGreen[3] = {0.62f, 0.86f, 0.34f};
     const float wood = static_cast<float>(vertex.tint[3]) / 255, green = kGreen[channel];
-    return static_cast<std::uint8_t>(static_cast<float>(vertex.tint[channel]) * (green + (1 - green) * wood) + 0.5f);
+    return static_cast<std::uint8_t>(
+        std::lround(static_cast<float>(vertex.tint[channel]) * (green + (1 - green) * wood)));
   }
 
   void addLevels(int finest) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "model/leaf/atlas.h"
@@ -13,8 +14,7 @@ constexpr float kFaint = 1e-4f;  // weight of a transparent texel's colour, so t
 
 /// Straight colours in linear light, weighted by what is seen of them.
 cv::Mat4f weighted(const QImage& image) {
-  QImage opaque = image;
-  cv::Mat4b pixels = rgbaView(opaque);
+  const cv::Mat4b pixels = rgbaView(image);
   cv::Mat4f linear = toLinear(image.convertToFormat(QImage::Format_RGBX8888).convertToFormat(QImage::Format_RGBA8888));
   for (int y = 0; y < linear.rows; ++y) {
     for (int x = 0; x < linear.cols; ++x) {
@@ -37,7 +37,7 @@ cv::Mat4f halved(const cv::Mat4f& image) {
 float coverageScale(const cv::Mat4f& image, double wanted) {
   std::vector<float> alphas;
   for (const cv::Vec4f& p : image) alphas.push_back(p[3]);
-  const auto pass = static_cast<size_t>(wanted * static_cast<double>(alphas.size()) + 0.5);
+  const auto pass = static_cast<size_t>(std::lround(wanted * static_cast<double>(alphas.size())));
   if (pass == 0 || pass >= alphas.size()) return 1;
   const auto place = alphas.begin() + static_cast<std::ptrdiff_t>(pass - 1);
   std::nth_element(alphas.begin(), place, alphas.end(), std::greater<>());

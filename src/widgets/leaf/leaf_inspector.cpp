@@ -243,27 +243,60 @@ void LeafInspector::addSynthesis() {
        .step = 128},
       [](const LeafParameters& p) { return p.synthesis.size; },
       [](LeafParameters& p, double v) { p.synthesis.size = int(v); });
-  number(
-      synthesis, "synthesis.superpixels", tr("Superpixels"),
-      {.minimum = 64,
-       .maximum = 32768,
-       .defaultValue = double(defaults.synthesis.superpixels),
+  std::vector<QWidget*> ofClassic, ofGuided;
+  ofGuided.push_back(number(
+      synthesis, "synthesis.guideWeight", tr("Guides' weight"),
+      {.minimum = 10,
+       .maximum = 10'000,
+       .defaultValue = defaults.synthesis.guideWeight,
        .decimals = 0,
-       .logarithmic = true,
-       .step = 64},
-      [](const LeafParameters& p) { return p.synthesis.superpixels; },
-      [](LeafParameters& p, double v) { p.synthesis.superpixels = int(v); });
-  number(
-      synthesis, "synthesis.candidates", tr("Candidates"),
-      {.minimum = 1, .maximum = 64, .defaultValue = double(defaults.synthesis.candidates), .decimals = 0},
-      [](const LeafParameters& p) { return p.synthesis.candidates; },
-      [](LeafParameters& p, double v) { p.synthesis.candidates = int(v); })
-      ->setToolTip(tr("How many of the nearest superpixels one is drawn from: more, the more variants differ"));
-  number(
-      synthesis, "synthesis.smoothing", tr("Smoothing"),
-      {.minimum = 0, .maximum = 4, .defaultValue = defaults.synthesis.smoothing},
-      [](const LeafParameters& p) { return p.synthesis.smoothing; },
-      [](LeafParameters& p, double v) { p.synthesis.smoothing = v; });
+       .logarithmic = true},
+      [](const LeafParameters& p) { return p.synthesis.guideWeight; },
+      [](LeafParameters& p, double v) { p.synthesis.guideWeight = v; }));
+  ofGuided.back()->setToolTip(
+      tr("How much the place in the leaf counts beside the colours: more keeps veins, less keeps the grain"));
+  const auto classic = [&](const char* name, const QString& label, const NumberSpec& spec, auto member,
+                           const QString& help) {
+    ofClassic.push_back(number(
+        synthesis, name, label, spec, [member](const LeafParameters& p) { return double(p.synthesis.*member); },
+        [member](LeafParameters& p, double v) {
+          p.synthesis.*member = static_cast<std::remove_reference_t<decltype(p.synthesis.*member)>>(v);
+        }));
+    ofClassic.back()->setToolTip(help);
+  };
+  using Synthesis = model::SynthesisParameters;
+  classic("synthesis.superpixels", tr("Superpixels"),
+          {.minimum = 64,
+           .maximum = 32768,
+           .defaultValue = double(defaults.synthesis.superpixels),
+           .decimals = 0,
+           .logarithmic = true,
+           .step = 64},
+          &Synthesis::superpixels, tr("How many at the finest level"));
+  classic("synthesis.levels", tr("Levels"),
+          {.minimum = 1, .maximum = 5, .defaultValue = double(defaults.synthesis.levels), .decimals = 0},
+          &Synthesis::levels, tr("Of superpixels, from coarse to fine; the thesis has five"));
+  classic("synthesis.candidates", tr("Candidates"),
+          {.minimum = 1, .maximum = 64, .defaultValue = double(defaults.synthesis.candidates), .decimals = 0},
+          &Synthesis::candidates,
+          tr("How many of the nearest superpixels one is drawn from: more, the more variants differ"));
+  classic("synthesis.choices", tr("Drawn of them"),
+          {.minimum = 1, .maximum = 16, .defaultValue = double(defaults.synthesis.choices), .decimals = 0},
+          &Synthesis::choices,
+          tr("So many are drawn, and the one whose colour is nearest to the coarser level's is taken"));
+  classic("synthesis.smoothing", tr("Smoothing"),
+          {.minimum = 0, .maximum = 4, .defaultValue = defaults.synthesis.smoothing}, &Synthesis::smoothing,
+          tr("How much neighbouring superpixels blend"));
+  ofClassic.push_back(flag(
+      synthesis, "synthesis.detail", tr("Fine detail"), defaults.synthesis.detail,
+      tr("Lays the photo's fine grain over the smooth colours"),
+      [](const LeafParameters& p) { return p.synthesis.detail; },
+      [](LeafParameters& p, bool on) { p.synthesis.detail = on; }));
+  refreshers_.push_back([ofClassic, ofGuided](const model::Leaf& leaf) {
+    const bool guided = leaf.parameters.synthesis.guided;
+    for (QWidget* field : ofClassic) field->setVisible(!guided);
+    for (QWidget* field : ofGuided) field->setVisible(guided);
+  });
 }
 
 void LeafInspector::showFound(const model::LeafStages* stages) {
