@@ -40,9 +40,23 @@ std::vector<cv::Point> blob(QPointF centre, double radius, RandomSequence& rando
   return outline;
 }
 
+/// What the frame cuts off already, a long petiole most often, may be cut off again.
 bool staysInside(const ShapeMap& map, const LeafStages& of) {
   const QRectF room = QRectF(of.frame).adjusted(2, 2, -2, -2);
-  return std::all_of(of.border.begin(), of.border.end(), [&](QPointF p) { return room.contains(map.map(p)); });
+  return std::all_of(of.border.begin(), of.border.end(),
+                     [&](QPointF p) { return !room.contains(p) || room.contains(map.map(p)); });
+}
+
+/// The map of this seed, made to fit: smaller first, then less varied.
+ShapeMap fittingMap(const LeafStages& of, quint64 seed) {
+  const ShapeParameters& parameters = of.made.parameters.shape;
+  for (double strength = 1; strength > 0.05; strength *= 0.75) {
+    for (const double size : {1.0, 0.94, 0.88, 0.82}) {
+      const ShapeMap map(parameters, of.root, of.tip, seed, strength, size);
+      if (staysInside(map, of)) return map;
+    }
+  }
+  return {parameters, of.root, of.tip, seed, 0};
 }
 
 cv::Mat1b warped(const QImage& mask, const ShapeMap& map, const QRect& frame) {
@@ -98,8 +112,9 @@ cv::Mat1b largestPart(const cv::Mat1b& mask) {
 
 }  // namespace
 
-ShapeMap::ShapeMap(const ShapeParameters& parameters, QPointF root, QPointF tip, quint64 seed, double strength)
-    : root_(root), axis_(tip - root), length_(std::max(1.0, length(tip - root))) {
+ShapeMap::ShapeMap(const ShapeParameters& parameters, QPointF root, QPointF tip, quint64 seed, double strength,
+                   double size)
+    : root_(root), axis_(tip - root), length_(std::max(1.0, length(tip - root))), size_(size) {
   axis_ /= length_;
   RandomSequence random(seed, kStream);
   const double aspect = draw(random, strength * parameters.aspect);
@@ -109,7 +124,9 @@ ShapeMap::ShapeMap(const ShapeParameters& parameters, QPointF root, QPointF tip,
   scale_[1] = std::exp(aspect - halves);
   for (auto& side : lobes_) {
     for (Wave& wave : side) {
-      wave = {draw(random, 0.7 * strength * parameters.lobes), random.uniform(1.0, 4.0), random.uniform(0, 6.28)};
+      wave = {draw(random, 1.4 * strength * parameters.lobes), random.uniform(1.0, 4.0), random.uniform(0, 6.28)};
+      // Short waves are shallow: an entire margin stays one.
+      wave.amplitude /= wave.count * wave.count;
     }
   }
   for (Wave& wave : shift_) {
@@ -159,22 +176,18 @@ QPointF ShapeMap::map(QPointF photo) const {
   const QPointF d = photo - root_, across(-axis_.y(), axis_.x());
   const double along = QPointF::dotProduct(d, axis_) / length_, beside = QPointF::dotProduct(d, across);
   const double to = shifted(along);
-  return root_ + to * length_ * axis_ + (beside * width(along, beside < 0) + bend(along)) * across;
+  return root_ + size_ * (to * length_ * axis_ + (beside * width(along, beside < 0) + bend(along)) * across);
 }
 
 QPointF ShapeMap::unmap(QPointF varied) const {
-  const QPointF d = varied - root_, across(-axis_.y(), axis_.x());
+  const QPointF d = (varied - root_) / size_, across(-axis_.y(), axis_.x());
   const double along = unshifted(QPointF::dotProduct(d, axis_) / length_);
   const double beside = QPointF::dotProduct(d, across) - bend(along);
   return root_ + along * length_ * axis_ + beside / width(along, beside < 0) * across;
 }
 
 Leaf variedLeaf(const LeafStages& of, quint64 seed) {
-  const ShapeParameters& parameters = of.made.parameters.shape;
-  double strength = 1;
-  while (strength > 0.05 && !staysInside(ShapeMap(parameters, of.root, of.tip, seed, strength), of)) strength *= 0.75;
-  if (strength <= 0.05) strength = 0;
-  const ShapeMap map(parameters, of.root, of.tip, seed, strength);
+  const ShapeMap map = fittingMap(of, seed);
   Leaf leaf = of.made;
   cv::Mat1b mask = warped(of.mask, map, of.frame);
   RandomSequence random(seed, kStream + 1);

@@ -114,7 +114,8 @@ SuperpixelPyramid buildSuperpixelPyramid(const LeafStructure& structure, const f
   for (size_t i = 0; i < structure.superpixels.values.size(); ++i) {
     if (structure.superpixels.values[i] <= 0) continue;
     const auto k = static_cast<size_t>(structure.superpixels.values[i] - 1);
-    x[k] += static_cast<double>(i % width), y[k] += static_cast<double>(i / width);
+    const size_t row = i / width;
+    x[k] += static_cast<double>(i % width), y[k] += static_cast<double>(row);
   }
   for (size_t k = 0; k < means.size(); ++k) {
     const int area = std::max(1, means[k].area);

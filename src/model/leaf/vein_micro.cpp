@@ -92,7 +92,6 @@ class MicroGrower {
         spacing_(std::max(3.0, parameters.microSpacing * size_)),
         step_(0.3 * spacing_),
         kill_(0.7 * spacing_),
-        nodes_(),
         grid_(box_, spacing_) {}
 
   void grow() {

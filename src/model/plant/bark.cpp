@@ -197,7 +197,6 @@ float reliefOf(BarkKind kind) {
     case BarkKind::Maple:
       return 0.035f;
     case BarkKind::Birch:
-      return 0.02f;
     case BarkKind::Beech:
       return 0.02f;
     case BarkKind::Herb:

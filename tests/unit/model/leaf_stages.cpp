@@ -4,6 +4,7 @@
 #include <QLineF>
 #include <QtTest>
 #include <algorithm>
+#include <set>
 
 #include "model/leaf/field_picture.h"
 #include "model/leaf/region_match.h"
@@ -171,6 +172,30 @@ class LeafStagesTest : public QObject {
     QVERIFY(variant);
     QVERIFY(variant->root && variant->tip);
     QCOMPARE(variant->image.size(), stages->alpha.size());
+  }
+
+  void outlinesVaryWhereThePhotoHasNoRoomForMore() {
+    Leaf tight;
+    QImage mask = test::ellipseMask({220, 260}, {4, 6, 212, 220});
+    QPainter painter(&mask);
+    painter.fillRect(105, 220, 10, 40, Qt::white);  // a petiole that the photo's border cuts
+    painter.end();
+    tight.photo = {QStringLiteral("mask.png"), test::encoded(mask, "PNG")};
+    tight.parameters.shape.vary = true;
+    tight.parameters.shape.aspect = 0.3;
+    tight.root = QPointF(110, 224);
+    const Result<LeafStages> stages = run(tight);
+    QVERIFY2(stages, stages ? "" : stages.error().message.c_str());
+    Progress progress;
+    std::set<int> widths;
+    for (const quint64 seed : {1, 2, 3, 4}) {
+      const Result<LeafStages> varied = computeVariedStages(*stages, seed, progress);
+      QVERIFY(varied);
+      const auto [left, right] = std::minmax_element(varied->border.begin(), varied->border.end(),
+                                                     [](QPointF a, QPointF b) { return a.x() < b.x(); });
+      widths.insert(int(right->x() - left->x()) / 4);
+    }
+    QVERIFY2(widths.size() > 2, qPrintable(QString::number(widths.size())));
   }
 
   void aBareMaskTakesColoursOfAnExample() {

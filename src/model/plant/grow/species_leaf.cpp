@@ -101,7 +101,8 @@ QImage needleTwig(bool pine, quint64 seed, int height) {
       const double angle = (random(who, 2) - 0.5) * 2.1;
       needle({cx, h * place}, angle, h * (0.34 + 0.12 * random(who, 3)) * (1 - 0.15 * std::abs(angle)), 0.012 * h, who);
     } else {
-      const double t = (i / 2 + random(who, 1)) / (count / 2);
+      const int pair = i / 2, pairs = count / 2;
+      const double t = (pair + random(who, 1)) / pairs;
       const double side = i % 2 == 0 ? 1 : -1;
       const double angle = side * (1.15 - 0.55 * t + 0.25 * (random(who, 2) - 0.5));
       const double length = h * (0.21 + 0.05 * random(who, 3)) * (0.55 + 0.45 * std::sin(3.14159 * (0.12 + 0.8 * t)));
