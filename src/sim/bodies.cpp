@@ -166,7 +166,7 @@ double firstFrequency(const std::vector<LinkBody>& bodies) {
     for (glm::dvec3& value : x) value *= scale;
     const double before = square;
     square = elastic / kinetic;
-    if (iteration > 3 && std::abs(square - before) < 1e-9 * square) break;
+    if (iteration > 3 && std::abs(square - before) < 1e-7 * square) break;
   }
   return std::sqrt(square) / (2 * std::numbers::pi);
 }

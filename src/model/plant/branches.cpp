@@ -22,6 +22,8 @@ QString branchName(const QString& bone) {
 
 }  // namespace
 
+bool bends(const Bone& bone) { return lengthOf(bone) >= std::max(1e-4f, 0.1f * bone.radius); }
+
 LinkForest linkForest(const std::vector<Bone>& bones) {
   const std::size_t count = bones.size();
   LinkForest forest;
@@ -31,14 +33,18 @@ LinkForest linkForest(const std::vector<Bone>& bones) {
   forest.next.assign(count, -1);
   for (std::size_t b = 0; b < count; ++b) {
     const Bone& bone = bones[b];
-    forest.link[b] = bone.weighted && lengthOf(bone) >= std::max(1e-4f, 0.1f * bone.radius);
-    int parent = bone.parent;
-    while (parent >= 0 && !forest.link[at(parent)]) parent = bones[at(parent)].parent;
+    forest.link[b] = bone.weighted && bends(bone);
+    // Parents stand first, so what lies above a parent that is no link is known.
+    const bool direct = bone.parent < 0 || forest.link[at(bone.parent)];
+    const int parent = direct ? bone.parent : forest.parent[at(bone.parent)];
     forest.parent[b] = parent;
     if (forest.link[b] && parent >= 0) forest.children[at(parent)].push_back(static_cast<int>(b));
   }
   std::vector<float> reach(count, 0);
+  std::vector<int> onward(count, -1);  // the first link from a bone on, along its branch
   for (std::size_t b = count; b-- > 0;) {
+    const int next = bones[b].next;
+    onward[b] = forest.link[b] ? static_cast<int>(b) : next > static_cast<int>(b) ? onward[at(next)] : -1;
     if (!forest.link[b]) continue;
     for (const int child : forest.children[b]) reach[b] = std::max(reach[b], reach[at(child)]);
     reach[b] += lengthOf(bones[b]);
@@ -53,8 +59,7 @@ LinkForest linkForest(const std::vector<Bone>& bones) {
       return std::make_tuple(reach[at(index)], child.radius, straight, -child.tail.x, -child.tail.y, -child.tail.z);
     };
     if (bone.next != Bone::kByLength) {
-      int next = bone.next;
-      while (next >= 0 && !forest.link[at(next)]) next = std::max(bones[at(next)].next, -1);
+      const int next = bone.next < 0 ? -1 : onward[at(bone.next)];
       if (next >= 0 && forest.parent[at(next)] == static_cast<int>(b)) forest.next[b] = next;
       continue;
     }

@@ -13,7 +13,7 @@ namespace windfall::model {
 namespace {
 
 /// Assimp walks the nodes by recursion.
-constexpr int kDeepest = 2000;
+constexpr int kDeepest = 2000000;
 
 std::string text(const QString& value) { return value.left(80).toStdString(); }
 

@@ -15,6 +15,9 @@ struct LinkForest {
   std::vector<int> next;                   ///< a bone: the child that continues its branch, or -1
 };
 
+/// Long enough for its thickness to be simulated as a link; what is shorter moves with its parent.
+bool bends(const Bone& bone);
+
 /// Bones without weights or without length become no links; their children go to their parent (plant_meshing.md, 1).
 /// A branch goes on with the child of the longest way to a tip, if it starts near the bone's end (1.1, "longest").
 LinkForest linkForest(const std::vector<Bone>& bones);
