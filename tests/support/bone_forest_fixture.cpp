@@ -100,9 +100,8 @@ QByteArray gltfOf(const BoneForest& forest) {
     skins.append(QJsonObject{{"joints", names},
                              {"inverseBindMatrices", file.add(binds.data(), 64 * bones, 5126, "MAT4", bones)}});
     rig.append(nodes.size());
-    nodes.append(QJsonObject{{"name", QStringLiteral("body%1").arg(first)},
-                             {"mesh", meshes.size() - 1},
-                             {"skin", skins.size() - 1}});
+    nodes.append(QJsonObject{
+        {"name", QStringLiteral("body%1").arg(first)}, {"mesh", meshes.size() - 1}, {"skin", skins.size() - 1}});
   }
   nodes[0] = QJsonObject{{"name", "rig"}, {"children", rig}};
   file.root["nodes"] = nodes, file.root["meshes"] = meshes, file.root["skins"] = skins;
@@ -147,7 +146,12 @@ QByteArray fbxOf(const BoneForest& forest) {
   mesh.add(FbxRecord("Vertices")).numbers(places);
   mesh.add(FbxRecord("PolygonVertexIndex")).integers(corners);
   objects.add(FbxRecord("Model")).id(kBody).object("body", "Model").text("Mesh").add(FbxRecord("Version")).integer(232);
-  objects.add(FbxRecord("Deformer")).id(kSkin).object("skin", "Deformer").text("Skin").add(FbxRecord("Version")).integer(101);
+  objects.add(FbxRecord("Deformer"))
+      .id(kSkin)
+      .object("skin", "Deformer")
+      .text("Skin")
+      .add(FbxRecord("Version"))
+      .integer(101);
   connect(kBody, 0), connect(kMesh, kBody), connect(kSkin, kMesh);
   for (int i = 0; i < forest.bones; ++i) {
     const int up = forest.parent[at(i)];
@@ -155,9 +159,9 @@ QByteArray fbxOf(const BoneForest& forest) {
     FbxRecord& bone = objects.add(FbxRecord("Model"));
     bone.id(kBone + i).object("bone" + QByteArray::number(i), "Model").text("LimbNode");
     bone.add(FbxRecord("Version")).integer(232);
-    bone.add(FbxRecord("Properties70"))
-        .add(property("Lcl Translation", "Lcl Translation", "",
-                      [&](FbxRecord& p) { p.number(double(place.x)).number(double(place.y)).number(double(place.z)); }));
+    bone.add(FbxRecord("Properties70")).add(property("Lcl Translation", "Lcl Translation", "", [&](FbxRecord& p) {
+      p.number(double(place.x)).number(double(place.y)).number(double(place.z));
+    }));
     FbxRecord& cluster = objects.add(FbxRecord("Deformer"));
     cluster.id(kCluster + i).object("c" + QByteArray::number(i), "SubDeformer").text("Cluster");
     cluster.add(FbxRecord("Version")).integer(100);
@@ -166,8 +170,8 @@ QByteArray fbxOf(const BoneForest& forest) {
     cluster.add(FbxRecord("Indexes")).integers(own);
     cluster.add(FbxRecord("Weights")).numbers(std::vector<double>(8, 1.0));
     const auto moved = [&](double sign) {
-      return std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, sign * double(head.x), sign * double(head.y),
-                                 sign * double(head.z), 1};
+      return std::vector<double>{
+          1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, sign * double(head.x), sign * double(head.y), sign * double(head.z), 1};
     };
     cluster.add(FbxRecord("Transform")).numbers(moved(-1));
     cluster.add(FbxRecord("TransformLink")).numbers(moved(1));

@@ -17,7 +17,9 @@ class FbxRecord {
   FbxRecord& number(double value);
   FbxRecord& text(const QByteArray& value);
   /// "name", then the class as FBX appends it.
-  FbxRecord& object(const QByteArray& name, const QByteArray& kind) { return text(name + QByteArray("\0\1", 2) + kind); }
+  FbxRecord& object(const QByteArray& name, const QByteArray& kind) {
+    return text(name + QByteArray("\0\1", 2) + kind);
+  }
   FbxRecord& numbers(const std::vector<double>& values);
   FbxRecord& integers(const std::vector<int>& values);
   /// The record added.

@@ -75,7 +75,11 @@ bool isSound(const aiAnimation& animation) {
   unsigned keys = 0;
   for (unsigned c = 0; c < animation.mNumChannels; ++c) {
     const aiNodeAnim& channel = *animation.mChannels[c];
-    keys += channel.mNumRotationKeys + channel.mNumPositionKeys;
+    keys += channel.mNumRotationKeys + channel.mNumPositionKeys + channel.mNumScalingKeys;
+    for (unsigned k = 0; k < channel.mNumScalingKeys; ++k) {
+      const aiVector3D& v = channel.mScalingKeys[k].mValue;
+      if (!std::isfinite(channel.mScalingKeys[k].mTime) || !std::isfinite(v.x + v.y + v.z)) return false;
+    }
     for (unsigned k = 0; k < channel.mNumRotationKeys; ++k) {
       const aiQuaternion& q = channel.mRotationKeys[k].mValue;
       const float norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

@@ -1,8 +1,5 @@
 #include "model/plant/assimp_importer.h"
 
-#include <assimp/Importer.hpp>
-#include <new>
-
 #include "model/plant/assimp_private.h"
 #include "model/plant/foliage.h"
 #include "model/plant/import_repair.h"
@@ -43,18 +40,15 @@ Result<PlantGeometry> convert(const aiScene& scene, const QString& format, Progr
 
 Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const SurfaceSettings& surface,
                                            Progress& progress) const {
-  try {
-    Assimp::Importer importer;
-    const Result<const aiScene*> scene = assimp::openScene(importer, file, progress);
-    if (!scene) return scene.error();
-    Result<PlantGeometry> geometry = convert(**scene, assimp::extensionOf(file), progress);
-    if (!geometry) return geometry;
-    return withSurface(std::move(*geometry), surface, progress);
-  } catch (const std::bad_alloc&) {
-    return Error{"needs more memory than there is"};
-  } catch (const std::exception& problem) {
-    return Error{assimp::oneLine(problem.what())};
-  }
+  PlantGeometry geometry;
+  const Status status = assimp::withScene(file, progress, [&](const aiScene& scene) -> Status {
+    Result<PlantGeometry> converted = convert(scene, assimp::extensionOf(file), progress);
+    if (!converted) return converted.error();
+    geometry = std::move(*converted);
+    return ok();
+  });
+  if (!status) return status.error();
+  return withSurface(std::move(geometry), surface, progress);
 }
 
 }  // namespace windfall::model

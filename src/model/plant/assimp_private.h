@@ -3,6 +3,7 @@
 
 #include <assimp/scene.h>
 
+#include <functional>
 #include <assimp/Importer.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <string>
@@ -49,11 +50,9 @@ struct File {
 /// Lower case, without the dot.
 QString extensionOf(const SourceFile& file);
 
-/// Opens a file as triangles; nothing else that it names is read. The importer owns the scene. Assimp may throw.
-Result<const aiScene*> openScene(Assimp::Importer& importer, const SourceFile& file, Progress& progress);
-
-/// What openScene() and the steps after it may throw, as one line.
-std::string oneLine(const char* message);
+/// Reads a file as triangles and hands the scene to `use`; nothing else that the file names is read. All of it runs on
+/// a stack as deep as the file's nodes, which Assimp walks by recursion. What Assimp or `use` throws becomes an error.
+Status withScene(const SourceFile& file, Progress& progress, const std::function<Status(const aiScene&)>& use);
 
 Transform transformOf(const aiMatrix4x4& matrix);
 bool isFinite(const Transform& transform);

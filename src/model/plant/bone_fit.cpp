@@ -203,10 +203,6 @@ void fitRadii(PlantGeometry& geometry) {
   for (std::size_t b = 0; b < geometry.bones.size(); ++b) {
     Bone& bone = geometry.bones[b];
     bone.radius = sectionRadius(geometry, bone, grip, b);
-    const float length = glm::length(bone.tail - bone.head);
-    if (bone.radius <= 0) {
-      bone.radius = bone.parent >= 0 ? 0.7f * geometry.bones[at(bone.parent)].radius : 0.05f * length;
-    }
   }
 }
 

@@ -19,7 +19,7 @@ struct BoneHints {
 void fitTails(PlantGeometry& geometry, const BoneHints& hints);
 
 /// Sets radii: median distance of the bark's vertices from the middle of the cross-section, over several stations along
-/// the bone (tree_dynamics.md, 2.1). Bones without bark get the radius of their parent, narrowed.
+/// the bone (tree_dynamics.md, 2.1). 0 for bones without bark: mendBones() gives them one.
 void fitRadii(PlantGeometry& geometry);
 
 }  // namespace windfall::model

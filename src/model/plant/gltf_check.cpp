@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "model/plant/hierarchy.h"
+
 namespace windfall::model {
 
 namespace {
-
-/// Assimp walks the nodes by recursion.
-constexpr int kDeepest = 2000000;
 
 std::string text(const QString& value) { return value.left(80).toStdString(); }
 
@@ -32,7 +31,8 @@ class Checker {
  public:
   Checker(const QJsonObject& root, const QByteArray& binaryChunk) : root_(root), chunk_(binaryChunk) {}
 
-  Status run() {
+  /// Levels of nodes.
+  Result<int> run() {
     if (!root_["asset"].toObject()["version"].toString().startsWith('2')) return Error{"is not glTF 2.0"};
     for (const QJsonValue& extension : root_["extensionsRequired"].toArray()) {
       const QString name = extension.toString();
@@ -42,9 +42,9 @@ class Checker {
     }
     for (const auto step : {&Checker::buffers, &Checker::views, &Checker::accessors, &Checker::nodes, &Checker::skins,
                             &Checker::meshes, &Checker::joints}) {
-      if (Status status = (this->*step)(); !status) return status;
+      if (const Status status = (this->*step)(); !status) return status.error();
     }
-    return ok();
+    return levels_;
   }
 
  private:
@@ -123,7 +123,7 @@ class Checker {
   Status nodes() {
     const QJsonArray nodes = list("nodes");
     nodeCount_ = nodes.size();
-    std::vector<qint64> parent(static_cast<std::size_t>(nodeCount_), -1);
+    std::vector<std::ptrdiff_t> parent(static_cast<std::size_t>(nodeCount_), -1);
     for (qsizetype i = 0; i < nodeCount_; ++i) {
       for (const QJsonValue& value : nodes[i]["children"].toArray()) {
         const qint64 child = index(value, nodeCount_);
@@ -132,23 +132,9 @@ class Checker {
         parent[static_cast<std::size_t>(child)] = i;
       }
     }
-    std::vector<int> depth(parent.size(), 0);
-    std::vector<std::size_t> path;
-    for (std::size_t i = 0; i < parent.size(); ++i) {
-      path.clear();
-      auto at = static_cast<qint64>(i);
-      while (at >= 0 && depth[static_cast<std::size_t>(at)] == 0) {
-        path.push_back(static_cast<std::size_t>(at));
-        if (path.size() > parent.size()) return wrong("node", static_cast<qsizetype>(i), "is its own ancestor");
-        at = parent[static_cast<std::size_t>(at)];
-      }
-      int above = at >= 0 ? depth[static_cast<std::size_t>(at)] : 0;
-      while (!path.empty()) {
-        depth[path.back()] = ++above;
-        path.pop_back();
-        if (above > kDeepest) return wrong("node", static_cast<qsizetype>(i), "lies more than 2000 levels deep");
-      }
-    }
+    const Result<int> levels = levelsOf(parent, [](std::size_t i) { return "node " + std::to_string(i); });
+    if (!levels) return levels.error();
+    levels_ = *levels;
     return ok();
   }
 
@@ -249,11 +235,12 @@ class Checker {
   std::vector<QByteArray> buffers_, viewData_;
   std::vector<qint64> viewStrides_, accessorCounts_;
   qsizetype nodeCount_ = 0;
+  int levels_ = 0;
 };
 
 }  // namespace
 
-Status checkGltf(const QByteArray& bytes, bool binary) {
+Result<int> checkGltf(const QByteArray& bytes, bool binary) {
   QByteArray json = bytes;
   QByteArray chunk;
   if (binary) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "model/plant/links_private.h"
+
 namespace windfall::model {
 
 namespace {
@@ -60,18 +62,18 @@ void mendBones(PlantGeometry& geometry) {
     const auto finite = [](const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
     if (!finite(bone.tail)) bone.tail = bone.head;
     const float length = glm::length(bone.tail - bone.head);
-    if (!(length > kShortest)) ++short_;
     if (!(bone.radius > 0) || !std::isfinite(bone.radius)) {
       bone.radius = bone.parent >= 0 ? 0.7f * bones[static_cast<std::size_t>(bone.parent)].radius : 0.05f * length;
       if (!(bone.radius > 0)) bone.radius = 1e-3f;
       ++thin;
     }
+    if (bone.weighted && !bends(bone)) ++short_;
     if (bone.parent < 0 && bone.weighted) ++roots;
     if (!bone.weighted) ++idle;
   }
   if (short_ > 0) {
-    geometry.notes << counted(short_, "one bone has no length and moves with its parent",
-                              "%1 bones have no length and move with their parents");
+    geometry.notes << counted(short_, "one bone is too short to bend and moves with its parent",
+                              "%1 bones are too short to bend and move with their parents");
   }
   if (thin > 0) {
     geometry.notes << counted(thin, "one bone has no thickness and takes that of its parent",

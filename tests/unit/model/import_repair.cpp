@@ -176,7 +176,7 @@ class ImportRepairTest : public QObject {
     QVERIFY(std::abs(geometry.bones[2].radius - 0.035f) < 1e-6f);
     QVERIFY(geometry.bones[3].radius > 0);
     const QString told = geometry.notes.join("; ");
-    QVERIFY2(told.contains("one bone has no length") && told.contains("2 bones have no thickness"), qPrintable(told));
+    QVERIFY2(told.contains("one bone is too short") && told.contains("2 bones have no thickness"), qPrintable(told));
     const PlantBodies bodies = buildBodies(geometry, {});
     QVERIFY(sim::problemOf(bodies.tree).empty());
     QCOMPARE(bodies.tree.links.size(), std::size_t{3});

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 #include "model/plant/assimp_private.h"
 #include "model/plant/grow/crown_volume.h"
@@ -80,24 +79,18 @@ bool ClosedMesh::contains(dvec3 point) const {
 }
 
 Result<ClosedMesh> readCrownMesh(const SourceFile& file, Progress& progress) {
-  const auto refused = [](const Error& error) {
-    return Error{error.cancelled ? error.message : "the crown's mesh " + error.message, error.cancelled};
-  };
-  try {
-    Assimp::Importer importer;
-    const Result<const aiScene*> scene = assimp::openScene(importer, file, progress);
-    if (!scene) return refused(scene.error());
-    const Result<assimp::File> indexed = assimp::indexScene(**scene, assimp::extensionOf(file) != QLatin1String("fbx"));
-    if (!indexed) return refused(indexed.error());
-    std::vector<dvec3> vertices;
-    std::vector<int> triangles;
+  std::vector<dvec3> vertices;
+  std::vector<int> triangles;
+  const Status status = assimp::withScene(file, progress, [&](const aiScene& scene) -> Status {
+    const Result<assimp::File> indexed = assimp::indexScene(scene, assimp::extensionOf(file) != QLatin1String("fbx"));
+    if (!indexed) return indexed.error();
     for (const assimp::Instance& instance : indexed->instances) {
       const auto first = static_cast<int>(vertices.size());
       for (unsigned i = 0; i < instance.mesh->mNumVertices; ++i) {
         const aiVector3D& v = instance.mesh->mVertices[i];
         const dvec3 placed = instance.toPlant * glm::dvec4(v.x, v.y, v.z, 1);
         if (!(std::isfinite(placed.x) && std::isfinite(placed.y) && std::isfinite(placed.z))) {
-          return Error{"the crown's mesh has a vertex that is not a number"};
+          return Error{"has a vertex that is not a number"};
         }
         vertices.push_back(placed);
       }
@@ -107,13 +100,14 @@ Result<ClosedMesh> readCrownMesh(const SourceFile& file, Progress& progress) {
         for (unsigned k = 0; k < 3; ++k) triangles.push_back(first + static_cast<int>(face.mIndices[k]));
       }
     }
-    if (triangles.empty()) return Error{"the crown's mesh has no triangles"};
-    return ClosedMesh(std::move(vertices), std::move(triangles));
-  } catch (const std::bad_alloc&) {
-    return Error{"the crown's mesh needs more memory than there is"};
-  } catch (const std::exception& problem) {
-    return Error{"the crown's mesh " + assimp::oneLine(problem.what())};
+    if (triangles.empty()) return Error{"has no triangles"};
+    return ok();
+  });
+  if (!status) {
+    const Error& error = status.error();
+    return Error{error.cancelled ? error.message : "the crown's mesh " + error.message, error.cancelled};
   }
+  return ClosedMesh(std::move(vertices), std::move(triangles));
 }
 
 }  // namespace windfall::model::growth
