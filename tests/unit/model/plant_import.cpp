@@ -240,7 +240,7 @@ void PlantImportTest::badFilesGiveOneClearLine_data() {
   QTest::newRow("cut off") << "p.glb" << good.left(good.size() - 100) << "cut off";
   QTest::newRow("text for FBX") << "p.fbx" << QByteArray("Dear reader, this is a letter.") << "cannot be read";
   QTest::newRow("cut off FBX") << "p.fbx" << (QByteArray("Kaydara FBX Binary  \0\x1a\0", 23) + QByteArray(40, '\x7f'))
-                               << "cannot be read";
+                               << "cut off";
   QTest::newRow("not JSON") << "p.gltf" << QByteArray("{\"asset\": ") << "not glTF";
   QTest::newRow("old glTF") << "p.gltf" << QByteArray("{\"asset\":{\"version\":\"1.0\"}}") << "glTF 2.0";
   QTest::newRow("no mesh") << "p.glb" << changed([](GltfFixture& f) {
