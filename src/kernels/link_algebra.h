@@ -138,4 +138,11 @@ WINDFALL_HD Turn<R> exponentialOf(const V3<R>& v) {
   return {v.x * s, v.y * s, v.z * s, c};
 }
 
+/// In double precision, for references, by the library's functions.
+WINDFALL_HD Turn<double> exponentialOf(const V3<double>& v) {
+  const double angle = std::sqrt(dotOf(v, v));
+  const double s = angle > 1e-8 ? std::sin(0.5 * angle) / angle : 0.5;
+  return {v.x * s, v.y * s, v.z * s, std::cos(0.5 * angle)};
+}
+
 }  // namespace windfall

@@ -74,10 +74,10 @@ class ArticulatedTree {
     }
   }
 
-  /// Joint accelerations. `h` > 0 takes springs and damping implicitly over h (velocity products off, 6.4); 0:
-  /// explicit, everything kept.
-  void accelerate(T h, T implicitness = T(0.6)) {
-    const bool exact = h <= 0;
+  /// Joint accelerations. `h` > 0 takes springs and damping implicitly over h, with velocity products only where they
+  /// are asked for (6.4: they bear short steps alone); 0: explicit, everything kept.
+  void accelerate(T h, T implicitness = T(0.6), bool products = false) {
+    const bool exact = h <= 0 || products;
     const T vh = implicitness * h;
     for (Part& part : parts_) {
       if (part.parent < 0) {
@@ -142,8 +142,8 @@ class ArticulatedTree {
   }
 
   /// One implicit step (springs by the theta method); forces are set and poses are current.
-  void stepImplicit(T h, T implicitness = T(0.6)) {
-    accelerate(h, implicitness);
+  void stepImplicit(T h, T implicitness = T(0.6), bool products = false) {
+    accelerate(h, implicitness, products);
     for (Part& part : parts_) {
       const V speed = part.speed + h * part.acceleration;
       part.relative = turned(part.relative, h * ((1 - implicitness) * part.speed + implicitness * speed));

@@ -5,6 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "sim/link_limits.h"
+
 namespace windfall::sim {
 
 namespace {
@@ -20,10 +22,6 @@ double sectionOf(const Link& link) {
   const double scale = std::max(static_cast<double>(link.stiffnessScale), kSmallestScale);
   return static_cast<double>(link.youngsModulus) * scale * std::numbers::pi * r * r * r * r / 4;
 }
-
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool above(float value, float limit) { return std::isfinite(value) && value > limit; }
-bool notNegative(float value) { return std::isfinite(value) && value >= 0; }
 }  // namespace
 
 LinkMass massOf(const Link& link) {
@@ -184,28 +182,25 @@ std::string problemOf(const Tree& tree) {
     while (!open.empty() && open.back() != link.parent) open.pop_back();
     if (link.parent >= 0 && open.empty()) return at(i, "the links of a subtree do not follow each other");
     open.push_back(i);
-    if (!finite(link.joint)) return at(i, "its position is not a number");
-    const quat& q = link.rotation;
-    const float norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-    if (!(norm > 0.98f && norm < 1.02f)) return at(i, "its rotation is not a unit quaternion");
-    if (!above(link.length, 1e-6f)) return at(i, "it has no length");
-    if (!above(link.radius, 1e-7f)) return at(i, "it has no thickness");
-    if (!above(link.woodDensity, 0)) return at(i, "its wood has no density");
-    if (!above(link.youngsModulus, 0)) return at(i, "its wood has no stiffness");
-    if (!notNegative(link.leafArea)) return at(i, "its leaf area is negative or not a number");
-    if (!notNegative(link.stiffnessScale)) return at(i, "its stiffness is negative or not a number");
-    if (!notNegative(link.dampingScale)) return at(i, "its damping is negative or not a number");
-    if (!notNegative(link.rayleighAlpha) || !notNegative(link.rayleighBeta)) {
+    if (!isPlace(link.joint)) return at(i, "its position is not a number or too far away");
+    if (!isUnit(link.rotation)) return at(i, "its rotation is not a unit quaternion");
+    if (!isLength(link.length)) return at(i, link.length > 1 ? "its length is beyond all measure" : "it has no length");
+    if (!isRadius(link.radius)) {
+      return at(i, link.radius > 1 ? "its thickness is beyond all measure" : "it has no thickness");
+    }
+    if (!isDensity(link.woodDensity)) return at(i, "its wood has no density");
+    if (!isModulus(link.youngsModulus)) return at(i, "its wood has no stiffness");
+    if (!isFactor(link.leafArea)) return at(i, "its leaf area is negative or not a number");
+    if (!isFactor(link.stiffnessScale)) return at(i, "its stiffness is negative or not a number");
+    if (!isFactor(link.dampingScale)) return at(i, "its damping is negative or not a number");
+    if (!isFactor(link.rayleighAlpha) || !isFactor(link.rayleighBeta)) {
       return at(i, "its Rayleigh damping is negative or not a number");
     }
-    if (!notNegative(link.propagation)) return at(i, "its propagation is negative or not a number");
-    if (!notNegative(link.windScale)) return at(i, "its wind response is negative or not a number");
+    if (!isFactor(link.propagation)) return at(i, "its propagation is negative or not a number");
+    if (!isFactor(link.windScale)) return at(i, "its wind response is negative or not a number");
   }
   for (std::size_t i = 0; i < tree.sites.size(); ++i) {
-    const LeafSite& site = tree.sites[i];
-    if (site.link < 0 || site.link >= count || !finite(site.position) || !std::isfinite(site.size)) {
-      return "leaf " + std::to_string(i) + " of " + name + ": it hangs on no link";
-    }
+    if (!isSite(tree.sites[i], count)) return "leaf " + std::to_string(i) + " of " + name + ": it hangs on no link";
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include "kernels/link_modal.h"
 #include "sim/axis_modes.h"
 #include "sim/factor.h"
+#include "sim/symmetric_eigen.h"
 
 namespace windfall::sim {
 
@@ -13,29 +14,6 @@ namespace {
 
 using glm::dmat3;
 using glm::dvec3;
-
-/// Eigenvalues and vectors (columns) of a symmetric matrix by Jacobi's turns.
-void eigen(dmat3 a, dvec3& values, dmat3& vectors) {
-  vectors = dmat3(1);
-  for (int sweep = 0; sweep < 8; ++sweep) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        const double off = a[q][p];
-        if (off == 0) continue;
-        const double t = (a[q][q] - a[p][p]) / (2 * off);
-        const double tangent = (t < 0 ? -1.0 : 1.0) / (std::abs(t) + std::sqrt(t * t + 1));
-        const double c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
-        dmat3 turn(1);
-        turn[p][p] = turn[q][q] = c;
-        turn[q][p] = s;
-        turn[p][q] = -s;
-        a = glm::transpose(turn) * a * turn;
-        vectors = vectors * turn;
-      }
-    }
-  }
-  values = dvec3(a[0][0], a[1][1], a[2][2]);
-}
 
 /// The drag's slope in the place of mass.
 std::vector<LinkBody> dragBodies(const std::vector<LinkBody>& bodies, const FactorSettings& settings) {
@@ -79,7 +57,7 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
     }
     dvec3 mu;
     dmat3 vectors;
-    eigen(scaled, mu, vectors);
+    symmetricEigen(scaled, mu, vectors);
     commonConstants(bodies, i, settings, loads.preStress[i], constants);
     for (int a = 0; a < 3; ++a) {
       const double lambda = 1 / std::max(mu[a], 1e-30);

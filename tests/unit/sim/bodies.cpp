@@ -53,6 +53,37 @@ TEST_CASE("the sample broadleaf has the mass and the sway of the method's table"
   CHECK(firstFrequency(sampleTree(bare)) > firstFrequency(tree));
 }
 
+TEST_CASE("V9: broadleaves of 5 to 20 m sway as fast as the method's table says") {
+  const auto frequency = [](float height, float diameter, float modulus, bool leaves) {
+    SampleTreeSettings settings;
+    settings.height = height;
+    settings.baseRadius = diameter / 2;
+    settings.youngsModulus = modulus;
+    settings.leaves = leaves;
+    settings.sitesPerLink = 0;
+    return firstFrequency(sampleTree(settings));
+  };
+  const struct {
+    float height;
+    double slow, fast;  ///< Hz, of base diameters from height / 60 to height / 40
+  } rows[] = {{5, 0.91, 1.02}, {10, 0.53, 0.69}, {15, 0.38, 0.51}, {20, 0.30, 0.40}};
+  for (const auto& row : rows) {
+    CAPTURE(row.height);
+    const double f = frequency(row.height, row.height / 50, 6e9f, true);
+    MESSAGE(row.height, " m: ", f, " Hz (", row.slow, " to ", row.fast, ")");
+    CHECK(f > 0.9 * row.slow);
+    CHECK(f < 1.1 * row.fast);
+  }
+  const double stiff = frequency(10, 0.2f, 8e9f, true), usual = frequency(10, 0.2f, 6e9f, true),
+               soft = frequency(10, 0.2f, 4e9f, true), bare = frequency(10, 0.2f, 6e9f, false);
+  MESSAGE("10 m, 0.2 m thick: ", soft, ", ", usual, ", ", stiff, " Hz with 4, 6, 8 GPa; without leaves ", bare);
+  CHECK(usual == doctest::Approx(0.61).epsilon(0.1));
+  CHECK(soft == doctest::Approx(0.50).epsilon(0.1));
+  CHECK(stiff == doctest::Approx(0.70).epsilon(0.1));
+  CHECK(bare == doctest::Approx(0.69).epsilon(0.15));
+  CHECK(bare > usual);
+}
+
 TEST_CASE("mass is wood by volume and leaves by area") {
   Link link;
   link.length = 2;
@@ -77,7 +108,9 @@ TEST_CASE("what can't be simulated is named with its link") {
   CHECK(problem([](Tree& t) { t.links[7].length = 0; }) == "link 7 of birch: it has no length");
   CHECK(problem([](Tree& t) { t.links[8].radius = 0; }) == "link 8 of birch: it has no thickness");
   CHECK(problem([&](Tree& t) { t.links[9].length = nan; }) == "link 9 of birch: it has no length");
-  CHECK(problem([&](Tree& t) { t.links[9].joint.y = nan; }) == "link 9 of birch: its position is not a number");
+  CHECK(problem([&](Tree& t) { t.links[9].joint.y = nan; }) ==
+        "link 9 of birch: its position is not a number or too far away");
+  CHECK(problem([](Tree& t) { t.links[4].length = 1e30f; }) == "link 4 of birch: its length is beyond all measure");
   CHECK(problem([](Tree& t) { t.links[3].rotation = quat(0, 0, 0, 0); }) ==
         "link 3 of birch: its rotation is not a unit quaternion");
   CHECK(problem([](Tree& t) { t.links[5].parent = 5; }) == "link 5 of birch: its parent does not come before it");

@@ -2,26 +2,18 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "kernels/link_pose.h"
 #include "kernels/random.h"
-#include "sim/articulated.h"
 #include "sim/sample_tree.h"
+#include "support/uniform_wind.h"
 
 using namespace windfall;
 using namespace windfall::sim;
+using windfall::test::UniformWind;
 
 namespace {
-
-/// Air that moves everywhere alike.
-struct UniformWind {
-  explicit UniformWind(const vec3& velocity) { nodes.fill(vec4(velocity, 0)); }
-  WindView view() const { return {nodes.data(), 2, 2, 2, vec3(-50), vec3(0.01f)}; }
-  std::array<vec4, 8> nodes;
-};
 
 TreeField fieldOf(Tree tree, const FactorSettings& settings, int threads = 1, const FieldCut& cut = {}) {
   return TreeField({{std::make_shared<Tree>(std::move(tree)), {}}}, settings, threads, cut);
@@ -87,52 +79,6 @@ TEST_CASE("without damping energy never grows, over ten decades of stiffness and
         }
         CHECK_FALSE(grew);
       }
-    }
-  }
-}
-
-TEST_CASE("a released chain moves as the full nonlinear equations say") {
-  // tree_dynamics.md, V4: relative rms error of the tip at 60 steps a second.
-  const UniformWind calm(vec3(0));
-  for (const int links : {1, 2, 3, 5}) {
-    CAPTURE(links);
-    Tree tree = cantilever(links, 3, 0.015f);
-    for (Link& link : tree.links) {
-      link.windScale = 0;
-      link.woodDensity = 900;
-    }
-    FactorSettings settings;
-    settings.dampingRatio = 0.05;
-    settings.gravity = glm::dvec3(0);
-    const std::vector<LinkBody> bodies = bodiesOf(tree);
-    const double beta = 2 * 0.05 / (2 * std::numbers::pi * firstFrequency(bodies));
-    const std::vector<Composite> composites = compositesOf(bodies);
-    for (const double implicitness : {0.5, 0.6}) {
-      CAPTURE(implicitness);
-      settings.implicitness = implicitness;
-      TreeField field = fieldOf(tree, settings);
-      ArticulatedTree<double> reference(bodies, beta);
-      for (std::size_t i = 0; i < bodies.size(); ++i) {
-        // Pulled aside at the tip by 1.5 N.
-        const double lever = 3 - 3.0 * static_cast<double>(i) / links;
-        const double angle = 1.5 * lever / bodies[i].stiffness.x;
-        field.setJoint(i, vec3(static_cast<float>(angle), 0, 0));
-        reference.parts()[i].relative = ArticulatedTree<double>::turned({1, 0, 0, 0}, {angle, 0, 0});
-        reference.parts()[i].rotor.z = twistFloor(bodies[i], composites[i]);
-      }
-      field.pose();
-      reference.pose();
-      double error = 0, size = 0;
-      for (int i = 0; i < 180; ++i) {
-        field.step(calm.view());
-        for (int k = 0; k < 100; ++k) reference.stepRungeKutta(1.0 / 6000, [](auto&) {});
-        const auto& last = reference.parts().back();
-        const glm::dvec3 exact = last.position + last.rotation * glm::dvec3(0, 0, 2 * last.half);
-        const glm::dvec3 tip(tipOf(field, bodies.size() - 1));
-        error += std::pow(tip.z - exact.z, 2);
-        size += exact.z * exact.z;
-      }
-      CHECK(std::sqrt(error / size) < (implicitness < 0.55 ? 0.022 : 0.05));
     }
   }
 }
