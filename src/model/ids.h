@@ -1,7 +1,7 @@
 // Stable names of the things in a project.
 #pragma once
 
-#include <QtGlobal>
+#include <QHashFunctions>
 #include <compare>
 
 namespace windfall::model {

@@ -40,7 +40,7 @@ std::shared_ptr<TreeField> fieldOf(const Scene& scene, TreeMethod method, int th
 std::string threadsOf(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
 /// A step in air that has been sampled before.
-Contender solve(std::shared_ptr<Scene> scene, TreeMethod method, int threads) {
+Contender solve(const std::shared_ptr<Scene>& scene, TreeMethod method, int threads) {
   const std::shared_ptr<TreeField> field = fieldOf(*scene, method, threads);
   Contender contender;
   contender.name = std::string(nameOf(method)) + ", solve and poses, " + threadsOf(threads);
@@ -56,7 +56,7 @@ Contender solve(std::shared_ptr<Scene> scene, TreeMethod method, int threads) {
 }
 
 /// The air at every link, which a step needs besides.
-Contender air(std::shared_ptr<Scene> scene) {
+Contender air(const std::shared_ptr<Scene>& scene) {
   const std::shared_ptr<TreeField> field = fieldOf(*scene, TreeMethod::Analytic, 1);
   Contender contender;
   contender.name = "the wind at every link, 1 thread";
@@ -67,7 +67,7 @@ Contender air(std::shared_ptr<Scene> scene) {
 }
 
 /// The same loads and the same implicit springs, factored anew in each step's pose: what a general engine does.
-Contender articulated(std::shared_ptr<Scene> scene) {
+Contender articulated(const std::shared_ptr<Scene>& scene) {
   using Reference = ArticulatedTree<float>;
   const std::vector<LinkBody> bodies = bodiesOf(*scene->tree);
   const double beta = 2 * 0.03 / (2 * std::numbers::pi * kFrequency);

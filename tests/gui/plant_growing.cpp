@@ -1,8 +1,13 @@
 // Growing in the window with real events: a preset, the age, shaping by hand, rules, and everything undone.
+#include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
 #include "support/suite.h"
@@ -11,6 +16,7 @@
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/branch_panel.h"
 #include "widgets/plant/crown_editor.h"
+#include "widgets/plant/plant_export_dialog.h"
 #include "widgets/plant/plant_shaping.h"
 #include "widgets/plant/plant_workspace.h"
 #include "widgets/plant/rules_editor.h"
@@ -192,6 +198,40 @@ class PlantGrowingTest : public QObject {
     QTRY_VERIFY(plant().grower->lSystem.rules.endsWith(QLatin1String("F[+F]F")));
     QVERIFY(window_->settle());
     QVERIFY(links() != before);
+  }
+
+  void aPlantIsExportedThroughTheDialogs() {
+    newPlant(QStringLiteral("Herb"));
+    const QString path = parts_.filePath("herb.glb");
+    // Two dialogs in turn: where to, and how.
+    bool named = false, chosen = false;
+    QTimer answers;
+    connect(&answers, &QTimer::timeout, this, [&] {
+      QWidget* dialog = QApplication::activeModalWidget();
+      if (auto* files = qobject_cast<QFileDialog*>(dialog); files != nullptr && !named) {
+        named = true;
+        auto* name = files->findChild<QLineEdit*>("fileNameEdit");
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+      } else if (auto* settings = qobject_cast<PlantExportDialog*>(dialog); settings != nullptr && !chosen) {
+        chosen = true;
+        auto* leaves = settings->findChild<ChoiceField*>("export.leaves");
+        leaves->box()->setFocus();
+        QTest::keyClick(leaves->box(), Qt::Key_Down);  // from one mesh to an object each
+        settings->grab().save(test::outputFolder() + "/plant_export_dialog.png");
+        QTest::mouseClick(settings->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+      }
+    });
+    answers.start(20);
+    workspace_->exportResult(false);
+    answers.stop();
+    QVERIFY(named && chosen);
+    QTRY_VERIFY(QFileInfo::exists(path));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    QVERIFY(bytes.startsWith("glTF"));
+    QVERIFY2(bytes.contains("\"leaf.0\""), "leaves are objects of their own");
   }
 
   void aCrownIsDrawn() {

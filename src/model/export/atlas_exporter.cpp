@@ -15,7 +15,7 @@ std::vector<ExportParameter> AtlasExporter::parameters() const {
   const AtlasSettings fresh;
   const auto number = [](const char* key, const char* title, double initial, double low, double high) {
     return ExportParameter{
-        QString::fromLatin1(key), QCoreApplication::translate("Exporter", title), initial, low, high, true, {}};
+        QString::fromLatin1(key), QCoreApplication::translate("Exporter", title), initial, low, high, true, {}, {}};
   };
   return {number("size", QT_TRANSLATE_NOOP("Exporter", "Size (px)"), fresh.size, 64, 16384),
           number("padding", QT_TRANSLATE_NOOP("Exporter", "Padding (px)"), fresh.padding, 0, 2048),

@@ -26,6 +26,7 @@ struct ExportParameter {
   double initial = 0, low = 0, high = 0;
   bool whole = false;   ///< only whole numbers
   QStringList choices;  ///< translated; where it has any, the value is a place in it
+  QString help;         ///< translated
 };
 
 class Exporter {

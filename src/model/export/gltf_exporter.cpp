@@ -352,20 +352,51 @@ QString GltfExporter::title() const { return QCoreApplication::translate("Export
 
 std::vector<ExportParameter> plantExportParameters() {
   const auto text = [](const char* source) { return QCoreApplication::translate("Exporter", source); };
-  const QStringList leaves{text(QT_TRANSLATE_NOOP("Exporter", "Instances (few programs read them)")),
-                           text(QT_TRANSLATE_NOOP("Exporter", "One skinned mesh")),
-                           text(QT_TRANSLATE_NOOP("Exporter", "An object each")),
-                           text(QT_TRANSLATE_NOOP("Exporter", "None"))};
+  const QStringList leaves{
+      text(QT_TRANSLATE_NOOP("Exporter", "Instances")), text(QT_TRANSLATE_NOOP("Exporter", "One skinned mesh")),
+      text(QT_TRANSLATE_NOOP("Exporter", "An object each")), text(QT_TRANSLATE_NOOP("Exporter", "None"))};
   const QStringList meshes{
       text(QT_TRANSLATE_NOOP("Exporter", "Automatic")), text(QT_TRANSLATE_NOOP("Exporter", "Fine, folded and bent")),
       text(QT_TRANSLATE_NOOP("Exporter", "Medium, folded and bent")), text(QT_TRANSLATE_NOOP("Exporter", "Hull, flat")),
       text(QT_TRANSLATE_NOOP("Exporter", "Rectangle, flat"))};
-  return {{"detail", text(QT_TRANSLATE_NOOP("Exporter", "Detail (0 to 1; -1: the plant's own)")), -1, -1, 1, false, {}},
-          {"bones", text(QT_TRANSLATE_NOOP("Exporter", "Bones at most (0: all)")), 0, 0, 65535, true, {}},
-          {"depth", text(QT_TRANSLATE_NOOP("Exporter", "Depth of bones at most (0: any)")), 0, 0, 1000, true, {}},
-          {"leaves", text(QT_TRANSLATE_NOOP("Exporter", "Leaves")), 1, 0, 3, true, leaves},
-          {"leafMesh", text(QT_TRANSLATE_NOOP("Exporter", "Leaf mesh")), 0, 0, 4, true, meshes},
-          {"levels", text(QT_TRANSLATE_NOOP("Exporter", "Levels of detail")), 1, 1, 4, true, {}}};
+  return {
+      {"detail",
+       text(QT_TRANSLATE_NOOP("Exporter", "Detail")),
+       -1,
+       -1,
+       1,
+       false,
+       {},
+       text(QT_TRANSLATE_NOOP("Exporter", "How fine the mesh is, 0 to 1; -1 is the plant's own"))},
+      {"bones",
+       text(QT_TRANSLATE_NOOP("Exporter", "Most bones")),
+       0,
+       0,
+       65535,
+       true,
+       {},
+       text(QT_TRANSLATE_NOOP("Exporter", "More are merged into those that carry them; 0 keeps all"))},
+      {"depth",
+       text(QT_TRANSLATE_NOOP("Exporter", "Bone depth")),
+       0,
+       0,
+       1000,
+       true,
+       {},
+       text(QT_TRANSLATE_NOOP("Exporter", "Most bones from the root to a tip; 0 allows any"))},
+      {"leaves", text(QT_TRANSLATE_NOOP("Exporter", "Leaves")), 1, 0, 3, true, leaves,
+       text(
+           QT_TRANSLATE_NOOP("Exporter", "Instances are small files that few programs read; one mesh is read by all"))},
+      {"leafMesh", text(QT_TRANSLATE_NOOP("Exporter", "Leaf mesh")), 0, 0, 4, true, meshes,
+       text(QT_TRANSLATE_NOOP("Exporter", "How finely a leaf follows its contour; automatic: the hull for very many"))},
+      {"levels",
+       text(QT_TRANSLATE_NOOP("Exporter", "Levels of detail")),
+       1,
+       1,
+       4,
+       true,
+       {},
+       text(QT_TRANSLATE_NOOP("Exporter", "Coarser meshes beside the finest"))}};
 }
 
 Result<PlantExportOptions> plantExportOptions(const Exporter& exporter, const QJsonObject& values) {

@@ -117,11 +117,11 @@ model::Veins LeafToolBox::currentVeins() const {
   return stages && stages->reached >= model::Stage::Veins ? stages->veins : model::Veins();
 }
 
-void LeafToolBox::computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) {
+void LeafToolBox::computeMask(const QString& text, const std::function<Result<QImage>(model::Progress&)>& work) {
   const model::AssetId id = leaf();
   const QImage base = pictures_.mask();
   // A second edit of the same leaf makes the first one's result stale; a scribble knows of those before it.
-  jobs_.start<QImage>(text, QStringLiteral("mask-edit:%1").arg(id.value), std::move(work),
+  jobs_.start<QImage>(text, QStringLiteral("mask-edit:%1").arg(id.value), work,
                       [this, id, text, base](const QImage& mask) {
                         if (leaf() != id) return document_.paintMask(id, mask, {}, text);
                         // A stroke that was painted meanwhile stays.

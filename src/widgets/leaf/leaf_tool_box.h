@@ -52,7 +52,7 @@ class LeafToolBox : public QObject, private ToolHost {
   std::vector<QPointF> currentTips() const override;
   model::Veins currentVeins() const override;
   const model::LeafStages* stages() const override { return pictures_.stages(); }
-  void computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) override;
+  void computeMask(const QString& text, const std::function<Result<QImage>(model::Progress&)>& work) override;
   void chooseRegion(std::optional<QPointF> target) override { emit regionChosen(target); }
   void previewMask(const QImage& mask, QRect dirty) override;
   double pixelSize() const override { return 1 / pane_.zoom(); }

@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QIcon>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <QToolTip>
 
 static void initResources() { Q_INIT_RESOURCE(resources); }
@@ -11,6 +11,17 @@ static void initResources() { Q_INIT_RESOURCE(resources); }
 namespace windfall::widgets {
 
 namespace {
+
+/// Fusion, the same on every desktop: no desktop's icons on the buttons of dialogs.
+class Style : public QProxyStyle {
+ public:
+  Style() : QProxyStyle(QStringLiteral("Fusion")) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
 
 QPalette makePalette(const Colors& c) {
   QPalette palette;
@@ -98,7 +109,7 @@ void applyLook(QApplication& application, Scheme scheme) {
   const Colors& c = colors(scheme);
   // The palette first: a style sheet polishes widgets with what it finds.
   application.setStyleSheet({});
-  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  application.setStyle(new Style);
   application.setPalette(makePalette(c));
   QToolTip::setPalette(makePalette(c));
   application.setStyleSheet(makeStyleSheet(c));

@@ -20,6 +20,7 @@ PlantExportDialog::PlantExportDialog(const model::Exporter& exporter, const QJso
     if (!parameter.choices.isEmpty()) {
       auto* choice = new ChoiceField(parameter.title, parameter.choices, static_cast<int>(parameter.initial));
       choice->setObjectName("export." + parameter.key);
+      choice->setToolTip(parameter.help);
       choice->setValue(static_cast<int>(now));
       column->addWidget(choice);
       fields_.emplace_back(parameter.key, [choice] { return choice->value(); });
@@ -32,6 +33,7 @@ PlantExportDialog::PlantExportDialog(const model::Exporter& exporter, const QJso
                                                     .hardMinimum = parameter.low,
                                                     .hardMaximum = parameter.high});
     field->setObjectName("export." + parameter.key);
+    field->setToolTip(parameter.help);
     field->setValue(now);
     column->addWidget(field);
     fields_.emplace_back(parameter.key, [field] { return field->value(); });

@@ -46,7 +46,7 @@ class ToolHost {
   /// What is known of the leaf, perhaps out of date; null before the first result.
   virtual const model::LeafStages* stages() const { return nullptr; }
   /// Computes another mask in the background (`work` owns all it touches) and paints it as one undo step.
-  virtual void computeMask(const QString& text, std::function<Result<QImage>(model::Progress&)> work) {
+  virtual void computeMask(const QString& text, const std::function<Result<QImage>(model::Progress&)>& work) {
     model::Progress progress;
     if (Result<QImage> mask = work(progress)) document().paintMask(leaf(), *mask, {}, text);
   }

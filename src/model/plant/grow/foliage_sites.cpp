@@ -15,6 +15,12 @@ constexpr float kGoldenAngle = 2.39996323f, kPi = std::numbers::pi_v<float>;
 constexpr float kMeanArea = 1.02f;  ///< of leaves whose size spreads by a quarter
 constexpr double kMostLeaves = 250'000;
 
+/// Azimuth of leaf n in pairs, each crossing the one before.
+float decussate(int n) {
+  const int pair = n / 2;
+  return 0.5f * kPi * static_cast<float>(pair) + kPi * static_cast<float>(n % 2);
+}
+
 class Foliage {
  public:
   Foliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& settings, quint64 seed,
@@ -61,7 +67,7 @@ class Foliage {
     const float jitter = 0.35f * (random(0) - 0.5f);
     switch (s_.arrangement) {
       case LeafArrangement::Opposite:
-        return 0.5f * kPi * static_cast<float>(number_ / 2) + kPi * static_cast<float>(number_ % 2) + jitter;
+        return decussate(static_cast<int>(number_)) + jitter;
       case LeafArrangement::TwoRanked:
         return kPi * m + jitter;
       default:
@@ -95,8 +101,7 @@ class Foliage {
     const bool tuft = s_.look == LeafLook::Pine;
     const float spin = 2 * kPi * random(2);
     for (int q = 0; q < s_.cluster; ++q) {
-      const float turn = s_.arrangement == LeafArrangement::Opposite
-                             ? 0.5f * kPi * static_cast<float>(q / 2) + kPi * static_cast<float>(q % 2)
+      const float turn = s_.arrangement == LeafArrangement::Opposite    ? decussate(q)
                          : s_.arrangement == LeafArrangement::TwoRanked ? kPi * static_cast<float>(q)
                                                                         : kGoldenAngle * static_cast<float>(q);
       const vec3 radial = frame * vec3(std::cos(turn + spin), std::sin(turn + spin), 0);
