@@ -42,6 +42,7 @@ class CpuEngine : public Engine {
   /// One step of all links in the current wind.
   virtual void moveTrees(TreeField& trees, const WindView& wind);
   const TreeField& trees() const { return trees_; }
+  LeafField& leaves() { return leaves_; }
 
  private:
   FactorSettings factorSettings() const;

@@ -1,7 +1,11 @@
 #include "sim/cuda_engine.h"
 
+#include <functional>
+
+#include "kernels/cuda/leaf_solver.h"
 #include "kernels/cuda/link_solver.h"
 #include "sim/cpu_engine.h"
+#include "sim/leaf_storage.h"
 
 namespace windfall::sim {
 
@@ -39,8 +43,49 @@ cuda::Forest forestOf(const TreeField& trees) {
   return forest;
 }
 
-/// The state comes back to the host after each step: leaves and statistics need it there, and when the device fails the
-/// scene goes on from it.
+/// The leaves beside the links in the device's memory; nothing crosses the bus in a step.
+class CudaLeaves final : public LeafDevice {
+ public:
+  /// `areCurrent`: whether poses of the host are those on the device.
+  CudaLeaves(const LeafStorage& storage, const cuda::LinkSolver& links, std::function<bool(const LinkView&)> areCurrent,
+             std::string& problem)
+      : links_(links),
+        areCurrent_(std::move(areCurrent)),
+        problem_(problem),
+        solver_(storage.arrays, storage.block(), leafBlockBytes(storage.arrays.count, storage.links), storage.links) {}
+
+  bool upload(const LeafArrays& host, const std::byte* block) override { return told(solver_.upload(host, block)); }
+  bool download(std::byte* block) override { return told(solver_.download(block)); }
+  bool step(const LeafStep& host) override {
+    if (!links_.problem().empty() || !areCurrent_(host.links)) return false;
+    LeafStep step = host;
+    step.links = links_.linksHere(host.links.count);
+    step.wind = links_.windHere();
+    return told(solver_.step(step));
+  }
+  bool write(const LeafDisplay& host, std::span<LeafInstance> leaves) override {
+    LeafDisplay display = host;
+    // Poses of a clip, or of a tree that was just set back, are the host's alone.
+    const bool here = links_.problem().empty() && areCurrent_(host.links);
+    if (here) display.links = links_.linksHere(host.links.count);
+    return told(solver_.write(display, here, leaves));
+  }
+  bool counts(LeafTotals& totals, std::span<std::int32_t> lost) override { return told(solver_.counts(totals, lost)); }
+
+ private:
+  bool told(bool good) {
+    if (!good) problem_ = solver_.problem();
+    return good;
+  }
+
+  const cuda::LinkSolver& links_;
+  std::function<bool(const LinkView&)> areCurrent_;
+  std::string& problem_;  ///< of the engine: where this says what went wrong
+  cuda::LeafSolver solver_;
+};
+
+/// The trees' state comes back to the host after each step: the display and statistics need it there, and when the
+/// device fails the scene goes on from it. The leaves stay on the device until they are asked for.
 class CudaEngine final : public CpuEngine {
  public:
   CudaEngine(const SceneDescription& scene, int threads, std::string name)
@@ -48,12 +93,19 @@ class CudaEngine final : public CpuEngine {
         name_(std::move(name)),
         solver_(forestOf(trees()), trees().constants().size(), trees().slotState().size(), nodesOf(windView())),
         state_(trees().slotState().size()),
-        now_(trees().rows().size()) {}
+        now_(trees().rows().size()) {
+    leaves().useDevice([this](const LeafStorage& storage) {
+      const auto current = [this](const LinkView& host) {
+        return revision_ == trees().revision() && host.current == trees().current().data();
+      };
+      return std::make_unique<CudaLeaves>(storage, solver_, current, leafProblem_);
+    });
+  }
 
   DeviceInfo device() const override {
     return solver_.problem().empty() ? DeviceInfo{Device::Cuda, name_} : CpuEngine::device();
   }
-  std::string deviceProblem() const override { return solver_.problem(); }
+  std::string deviceProblem() const override { return solver_.problem().empty() ? leafProblem_ : solver_.problem(); }
 
  protected:
   void moveTrees(TreeField& trees, const WindView& wind) override {
@@ -72,7 +124,7 @@ class CudaEngine final : public CpuEngine {
   }
 
  private:
-  std::string name_;
+  std::string name_, leafProblem_;
   cuda::LinkSolver solver_;
   AlignedVector<float> state_;
   AlignedVector<LinkState> now_;

@@ -29,11 +29,13 @@ void LeafField::step(double time, float dt, const LinkView& links, const WindVie
   LeafStep step = s.stepAt(time, dt);
   step.links = links;
   step.wind = wind;
-  const std::int64_t count = s.arrays.count;
+  if (!stepOnDevice(step)) {
+    const std::int64_t count = s.arrays.count;
 #pragma omp parallel for schedule(static) if (count > 2 * kChunk)
-  for (std::int64_t first = 0; first < count; first += kChunk) {
-    step_(s.arrays, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(first + kChunk, count)),
-          step);
+    for (std::int64_t first = 0; first < count; first += kChunk) {
+      step_(s.arrays, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(first + kChunk, count)),
+            step);
+    }
   }
   s.swapSides();
   s.time = time + dt;
@@ -54,6 +56,8 @@ void LeafField::write(float alpha, const LinkView& links, std::span<LeafInstance
   display.season = std::clamp(s.settings.season, 0.0f, 1.0f);
   display.respawn = s.settings.respawn;
   display.links = links;
+  if (device_ && !ahead_ && device_->write(display, leaves)) return;
+  fetch();
   const auto count = static_cast<std::int64_t>(std::min<std::size_t>(s.arrays.count, leaves.size()));
 #pragma omp parallel for schedule(static) if (count > 2 * kChunk)
   for (std::int64_t i = 0; i < count; ++i) {
@@ -64,15 +68,23 @@ void LeafField::write(float alpha, const LinkView& links, std::span<LeafInstance
 std::size_t LeafField::size() const { return storage_->arrays.count; }
 
 LeafCounts LeafField::counts() const {
+  fetchCounts();
   const LeafTotals& totals = *storage_->arrays.totals;
   return {totals.attached, totals.airborne, totals.grounded};
 }
 
-std::int64_t LeafField::landed() const { return storage_->arrays.totals->landed; }
+std::int64_t LeafField::landed() const {
+  fetchCounts();
+  return storage_->arrays.totals->landed;
+}
 
-double LeafField::fallTimeSum() const { return static_cast<double>(storage_->arrays.totals->fallMicroseconds) * 1e-6; }
+double LeafField::fallTimeSum() const {
+  fetchCounts();
+  return static_cast<double>(storage_->arrays.totals->fallMicroseconds) * 1e-6;
+}
 
 bool LeafField::findLostArea(std::span<float> area) const {
+  fetchCounts();
   const LeafStorage& s = *storage_;
   bool changed = false;
   for (std::size_t link = 0; link < s.leafShare.size() && link < area.size(); ++link) {
@@ -84,14 +96,21 @@ bool LeafField::findLostArea(std::span<float> area) const {
   return changed;
 }
 
-void LeafField::reset() { resetLeaves(*storage_); }
+void LeafField::reset() {
+  resetLeaves(*storage_);
+  behind_ = countsBehind_ = false;
+  ahead_ = true;
+}
 
 bool LeafField::setSettings(const LeafSettings& settings) {
+  fetch();
+  ahead_ = true;
   LeafStorage& s = *storage_;
   if (settings.count != s.settings.count || settings.spawnHeight != s.settings.spawnHeight) {
     SceneDescription scene = *s.scene;
     scene.leaves = settings;
     *storage_ = makeLeafStorage(scene);
+    makeDevice();
     return true;
   }
   const bool heavier = settings.massPerArea != s.settings.massPerArea;

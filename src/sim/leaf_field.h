@@ -11,6 +11,7 @@
 #include "kernels/leaf_range.h"
 #include "kernels/link_state.h"
 #include "kernels/wind.h"
+#include "sim/leaf_device.h"
 #include "sim/result.h"
 #include "sim/settings.h"
 
@@ -64,12 +65,28 @@ class LeafField {
   /// Hash of the state of all leaves in index order.
   std::uint64_t hash() const;
 
-  /// The arrays themselves, for the CUDA engine to copy.
-  const LeafStorage& storage() const { return *storage_; }
+  /// Steps and shows the leaves on another device from now on; what the host asks for is fetched when it asks.
+  void useDevice(LeafDeviceMaker maker);
+  /// Whether they are (still) stepped there.
+  bool isOnDevice() const { return device_ != nullptr; }
+
+  /// The arrays themselves.
+  const LeafStorage& storage() const;
 
  private:
+  bool stepOnDevice(const LeafStep& step);
+  void fetch() const;
+  void fetchCounts() const;
+  void makeDevice();
+
   std::unique_ptr<LeafStorage> storage_;
   LeafRange step_;  ///< for this machine's instruction set
+  LeafDeviceMaker maker_;
+  mutable std::unique_ptr<LeafDevice> device_;
+  mutable bool behind_ = false;        ///< the device's state is newer than the host's
+  mutable bool countsBehind_ = false;  ///< and so are its totals
+  bool ahead_ = false;                 ///< the host's state is newer than the device's
+  mutable bool sides_ = false;         ///< LeafStorage::swapped when the host last had the state
 };
 
 }  // namespace windfall::sim

@@ -81,12 +81,14 @@ bool isSound(const LeafArrays& a) {
 }  // namespace
 
 std::uint64_t LeafField::hash() const {
+  fetch();
   Mixer mixer;
   visitState(*storage_, true, [&](std::byte* data, std::size_t bytes) { mixer.add(data, bytes); });
   return mixer.value();
 }
 
 std::vector<std::uint8_t> LeafField::save() const {
+  fetch();
   const LeafStorage& s = *storage_;
   Header header{.leaves = s.arrays.count,
                 .links = s.links,
@@ -106,6 +108,7 @@ std::vector<std::uint8_t> LeafField::save() const {
 }
 
 Status LeafField::restore(std::span<const std::uint8_t> bytes) {
+  fetch();
   LeafStorage& s = *storage_;
   Header header;
   if (bytes.size() < sizeof(header)) return Error{"the state of the leaves is cut short"};
@@ -145,6 +148,7 @@ Status LeafField::restore(std::span<const std::uint8_t> bytes) {
   s.time = header.time;
   s.dt = header.dt;
   s.stepNumber = header.stepNumber;
+  ahead_ = true;
   return ok();
 }
 

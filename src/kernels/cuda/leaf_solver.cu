@@ -32,7 +32,6 @@ struct LeafSolver::Data {
   std::uint32_t links = 0;
   Buffer<std::byte> block;
   Buffer<LinkState> before, after;
-  Buffer<vec4> wind;
   Buffer<LeafInstance> instances;
   std::size_t bytes = 0;
 
@@ -43,8 +42,7 @@ struct LeafSolver::Data {
   }
 };
 
-LeafSolver::LeafSolver(const LeafArrays& host, const std::byte* block, std::size_t bytes, std::size_t links,
-                       std::size_t windNodes)
+LeafSolver::LeafSolver(const LeafArrays& host, const std::byte* block, std::size_t bytes, std::size_t links)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
   d.outcome.check(cudaSetDevice(0), "choice of the device");
@@ -53,7 +51,6 @@ LeafSolver::LeafSolver(const LeafArrays& host, const std::byte* block, std::size
   d.block.allocate(bytes, d.outcome);
   d.before.allocate(links, d.outcome);
   d.after.allocate(links, d.outcome);
-  d.wind.allocate(windNodes, d.outcome);
   d.instances.allocate(host.count, d.outcome);
   upload(host, block);
 }
@@ -80,16 +77,9 @@ bool LeafSolver::download(std::byte* block) const {
   return data_->outcome.good() && data_->outcome.check(cudaDeviceSynchronize(), "leaves from the device");
 }
 
-bool LeafSolver::step(const LeafStep& host) {
+bool LeafSolver::step(const LeafStep& step) {
   Data& d = *data_;
   if (!d.outcome.good() || d.arrays.count == 0) return d.outcome.good();
-  LeafStep step = host;
-  step.links = d.linksFrom(host.links);
-  const auto nodes = static_cast<std::size_t>(host.wind.nx) * static_cast<std::size_t>(host.wind.ny) *
-                     static_cast<std::size_t>(host.wind.nz);
-  d.wind.write({host.wind.velocity, nodes}, d.outcome);
-  step.wind.velocity = host.wind.velocity == nullptr ? nullptr : d.wind.data();
-  if (!d.outcome.good()) return false;
   stepKernel<<<blocksFor(d.arrays.count), kThreads>>>(d.arrays, step);
   std::swap(d.arrays.x, d.arrays.nextX);
   std::swap(d.arrays.y, d.arrays.nextY);
@@ -98,12 +88,12 @@ bool LeafSolver::step(const LeafStep& host) {
   return d.outcome.check(cudaGetLastError(), "launch of the leaves' step");
 }
 
-bool LeafSolver::write(const LeafDisplay& host, std::span<LeafInstance> leaves) {
+bool LeafSolver::write(const LeafDisplay& host, bool linksAreHere, std::span<LeafInstance> leaves) {
   Data& d = *data_;
   const auto count = static_cast<std::uint32_t>(leaves.size() < d.arrays.count ? leaves.size() : d.arrays.count);
   if (!d.outcome.good() || count == 0) return d.outcome.good();
   LeafDisplay display = host;
-  display.links = d.linksFrom(host.links);
+  if (!linksAreHere) display.links = d.linksFrom(host.links);
   if (!d.outcome.good()) return false;
   showKernel<<<blocksFor(count), kThreads>>>(d.arrays, display, d.instances.data(), count);
   d.outcome.check(cudaGetLastError(), "launch of the leaves' display");
@@ -111,9 +101,14 @@ bool LeafSolver::write(const LeafDisplay& host, std::span<LeafInstance> leaves) 
   return d.outcome.check(cudaDeviceSynchronize(), "leaves for the display");
 }
 
-bool LeafSolver::totals(LeafTotals& totals) const {
+bool LeafSolver::counts(LeafTotals& totals, std::span<std::int32_t> lost) const {
   Data& d = *data_;
-  if (!d.outcome.good()) return false;
+  if (!d.outcome.good() || lost.size() > d.links) return false;
+  const std::size_t bytes = lost.size_bytes();
+  if (bytes > 0 && !d.outcome.check(cudaMemcpyAsync(lost.data(), d.arrays.lost, bytes, cudaMemcpyDeviceToHost),
+                                    "what the links have lost")) {
+    return false;
+  }
   return d.outcome.check(cudaMemcpy(&totals, d.arrays.totals, sizeof(totals), cudaMemcpyDeviceToHost),
                          "totals of the leaves");
 }

@@ -16,8 +16,7 @@ class LeafSolver {
  public:
   /// `host`: the arrays on the host, in a block whose size and start are given; pointers keep their places in the
   /// block.
-  LeafSolver(const LeafArrays& host, const std::byte* block, std::size_t bytes, std::size_t links,
-             std::size_t windNodes);
+  LeafSolver(const LeafArrays& host, const std::byte* block, std::size_t bytes, std::size_t links);
   ~LeafSolver();
   LeafSolver(const LeafSolver&) = delete;
   LeafSolver& operator=(const LeafSolver&) = delete;
@@ -25,13 +24,14 @@ class LeafSolver {
   /// The whole block to the device, and back; the arrays say which side of the state is the new one.
   bool upload(const LeafArrays& host, const std::byte* block);
   bool download(std::byte* block) const;
-  /// One step in one launch. Links and wind of `step` lie on the host; afterwards the two sides have changed places, as
-  /// the host's must.
+  /// One step in one launch. Links and wind of `step` lie on the device (LinkSolver has them); afterwards the two sides
+  /// have changed places, as the host's must.
   bool step(const LeafStep& step);
-  /// Display state into the host's memory, in one launch. Links of `display` lie on the host.
-  bool write(const LeafDisplay& display, std::span<LeafInstance> leaves);
-  /// Totals after the last step.
-  bool totals(LeafTotals& totals) const;
+  /// Display state into the host's memory, in one launch. Links of `display` lie on the device where `linksAreHere`,
+  /// else on the host.
+  bool write(const LeafDisplay& display, bool linksAreHere, std::span<LeafInstance> leaves);
+  /// Totals and what each link has lost, after the last step.
+  bool counts(LeafTotals& totals, std::span<std::int32_t> lost) const;
   /// Empty, or one line on what went wrong.
   const std::string& problem() const;
 

@@ -95,6 +95,7 @@ struct LinkSolver::Data {
   Buffer<LinkState> before, after;
   Buffer<vec4> wind, eddies;
   const vec4* eddySource = nullptr;  ///< on the host; what `eddies` is a copy of
+  WindView here;                     ///< the wind of the last step, on the device
   Buffer<std::uint32_t> link, parent, base, childBegin, children, partStarts;
 };
 
@@ -138,6 +139,10 @@ LinkSolver::~LinkSolver() = default;
 
 const std::string& LinkSolver::problem() const { return data_->outcome.problem(); }
 
+WindView LinkSolver::windHere() const { return data_->here; }
+
+LinkView LinkSolver::linksHere(std::uint32_t links) const { return {data_->before.data(), data_->after.data(), links}; }
+
 bool LinkSolver::setConstants(std::span<const float> constants, std::uint32_t fields) {
   data_->constantFields = fields;
   data_->constants.write(constants, data_->outcome);
@@ -157,10 +162,22 @@ bool LinkSolver::setState(std::span<const float> state, std::uint32_t fields, st
 bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, std::span<const float> outside,
                       std::span<float> state, std::span<LinkState> rows) {
   Data& d = *data_;
-  if (!d.outcome.good() || d.slots == 0) return d.outcome.good();
+  if (!d.outcome.good()) return false;
   const auto nodes =
       static_cast<std::size_t>(wind.nx) * static_cast<std::size_t>(wind.ny) * static_cast<std::size_t>(wind.nz);
-  d.wind.write({wind.velocity, nodes}, d.outcome);
+  WindView& local = d.here;
+  local = wind;
+  if (wind.velocity != nullptr) {
+    d.wind.write({wind.velocity, nodes}, d.outcome);
+    local.velocity = d.wind.data();
+  }
+  // The tile is the same for a whole run of the scene, but for another seed.
+  if (wind.eddies != d.eddySource) {
+    if (wind.eddies != nullptr) d.eddies.write({wind.eddies, kTileNodes}, d.outcome);
+    d.eddySource = wind.eddies;
+  }
+  local.eddies = wind.eddies == nullptr ? nullptr : d.eddies.data();
+  if (d.slots == 0) return d.outcome.check(cudaDeviceSynchronize(), "wind to the device");
   d.outside.write(outside, d.outcome);
   if (!d.outcome.good()) return false;
   d.before.swap(d.after);
@@ -178,14 +195,6 @@ bool LinkSolver::step(const LinkStep<float>& parameters, const WindView& wind, s
   slots.after = reinterpret_cast<float*>(d.after.data());
   slots.constantFields = d.constantFields;
   slots.stateFields = d.stateFields;
-  WindView local = wind;
-  local.velocity = d.wind.data();
-  // The tile is the same for a whole run of the scene, but for another seed.
-  if (wind.eddies != d.eddySource) {
-    if (wind.eddies != nullptr) d.eddies.write({wind.eddies, kTileNodes}, d.outcome);
-    d.eddySource = wind.eddies;
-  }
-  local.eddies = wind.eddies == nullptr ? nullptr : d.eddies.data();
   const ForestView forest{{d.childBegin.data(), d.children.data()}, d.partStarts.data()};
   airKernel<<<(d.slots + kAirThreads - 1) / kAirThreads, kAirThreads>>>(slots, local, d.air.data(), d.slots);
   switch (d.method) {

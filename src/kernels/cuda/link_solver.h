@@ -47,6 +47,9 @@ class LinkSolver {
   /// back to the host's arrays.
   bool step(const LinkStep<float>& parameters, const WindView& wind, std::span<const float> outside,
             std::span<float> state, std::span<LinkState> rows);
+  /// The wind of the last step and the poses of the last two, in the device's memory, for leaves: rows of links alone.
+  WindView windHere() const;
+  LinkView linksHere(std::uint32_t links) const;
   /// Empty, or one line on what went wrong.
   const std::string& problem() const;
 

@@ -63,6 +63,43 @@ TEST_CASE("every device moves the trees as the CPU does") {
   }
 }
 
+TEST_CASE("every device lets leaves go and fall as the CPU does") {
+  for (const Device device : {Device::Cpu, Device::Cuda}) {
+    if (!present(device)) continue;
+    SceneDescription scene = forest();
+    scene.leaves.count = 5000;
+    scene.leaves.season = 1;
+    scene.wind.fans.push_back({});
+    const auto reference = Engine::create(scene, Device::Cpu, 1), engine = Engine::create(scene, device, 2);
+    REQUIRE(reference);
+    REQUIRE(engine);
+    for (int i = 0; i < 240; ++i) {
+      (*reference)->step();
+      (*engine)->step();
+    }
+    CHECK((*engine)->deviceProblem().empty());
+    const Statistics a = (*reference)->statistics(), b = (*engine)->statistics();
+    CHECK(a.attached + a.airborne + a.grounded == 5000);
+    CHECK(b.attached + b.airborne + b.grounded == 5000);
+    CHECK(a.attached < 4500);
+    // A rounding may let a leaf go a step later.
+    CHECK(std::abs(a.attached - b.attached) <= 25);
+    CHECK(static_cast<double>(b.landed) == doctest::Approx(static_cast<double>(a.landed)).epsilon(0.05));
+    std::vector<mat4> bones((*reference)->linkCount());
+    std::vector<LeafInstance> first(5000), second(5000);
+    (*reference)->write(bones, first);
+    (*engine)->write(bones, second);
+    int apart = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      apart += glm::length(first[i].position - second[i].position) > 1e-3f ? 1 : 0;
+    }
+    CHECK(apart <= 50);
+    // The state of one goes on on the other.
+    REQUIRE((*reference)->restore((*engine)->save()));
+    CHECK((*reference)->hash() == (*engine)->hash());
+  }
+}
+
 namespace {
 
 /// A step as the GPU makes it: with a slot at a time, parents gathering from their children.
