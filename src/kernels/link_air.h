@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "kernels/link_slots.h"
-#include "kernels/wind.h"
+#include "kernels/wind_lookup.h"
 
 namespace windfall {
 
@@ -14,7 +14,7 @@ WINDFALL_HD void slotAir(const LinkSlots<float>& slots, const WindView& wind, st
   const float half = fieldsOf(slots.constants, slots.constantFields, slot).get(kHalf);
   const vec4 turn(row[0], row[1], row[2], row[3]);
   const vec3 place(row[kPosePlace], row[kPosePlace + 1], row[kPosePlace + 2]);
-  const vec3 u = windAt(wind, place + rotate(turn, vec3(0, 0, half)));
+  const vec3 u = airAt(wind, place + rotate(turn, vec3(0, 0, half)));
   const SlotFields<float> out = fieldsOf(air, 3, slot);
   out.put(0, u.x);
   out.put(1, u.y);

@@ -66,6 +66,17 @@ Contender air(const std::shared_ptr<Scene>& scene) {
   return contender;
 }
 
+/// Both: what a scene waits for. The share of the wind is what this takes beyond the solver.
+Contender whole(std::shared_ptr<Scene> scene) {
+  const std::shared_ptr<TreeField> field = fieldOf(*scene, TreeMethod::Coupled, 1);
+  Contender contender;
+  contender.name = "coupled, wind, solve and poses, 1 thread";
+  contender.items = static_cast<double>(field->size());
+  contender.repeats = scene->repeats;
+  contender.run = [scene, field] { field->step(scene->wind.view()); };
+  return contender;
+}
+
 /// The same loads and the same implicit springs, factored anew in each step's pose: what a general engine does.
 Contender articulated(const std::shared_ptr<Scene>& scene) {
   using Reference = ArticulatedTree<float>;
@@ -96,6 +107,7 @@ std::vector<Contender> stepContenders(const SampleTreeSettings& settings, bool p
     all.push_back(solve(scene, TreeMethod::Analytic, threads));
   }
   all.push_back(air(scene));
+  all.push_back(whole(scene));
   if (peer) all.push_back(articulated(scene));
   return all;
 }
