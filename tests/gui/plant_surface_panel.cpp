@@ -10,6 +10,7 @@
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/data_legend.h"
+#include "widgets/plant/plant_shaping.h"
 #include "widgets/plant/plant_workspace.h"
 #include "widgets/plant/surface_panel.h"
 
@@ -134,6 +135,32 @@ class PlantSurfacePanelTest : public QObject {
     QCOMPARE(plant().surface.bark, model::BarkKind::Pine);
     QVERIFY(document_->undoStack().count() > edits);
     QVERIFY(window_->settle());
+  }
+
+  void aSkeletonIsPrunedInTheViewport() {
+    emit field<NumberField>("surface.scale")->edited(2, true);
+    QVERIFY(window_->settle());
+    const auto links = [this] { return workspace_->feed().capsules().size(); };
+    QCOMPARE(links(), std::size_t{4});
+    for (QAction* action : workspace_->shaping().actions()) {
+      QVERIFY(action->isEnabled());
+      if (action->objectName() == QLatin1String("shape.prune")) action->trigger();
+    }
+    // The outer half of the long way aside.
+    Viewport& view = workspace_->viewport();
+    const auto place = view.camera().project(2.f * vec3(0.9f, 1.25f, 0), view.size());
+    QVERIFY(place.has_value());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, place->toPoint());
+    QVERIFY(window_->settle());
+    QCOMPARE(plant().handEdits.size(), std::size_t{1});
+    QVERIFY(std::abs(plant().handEdits[0].place.x() - 1.2f) < 1e-4f);
+    window_->grab().save(test::outputFolder() + "/plant_pruned.png");
+    QCOMPARE(field<InfoField>("shape.edits")->value(), QStringLiteral("1"));
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QVERIFY(window_->settle());
+    QVERIFY(plant().handEdits.empty());
+    QCOMPARE(links(), std::size_t{4});
   }
 };
 

@@ -9,6 +9,7 @@
 #include "model/document/durable_file.h"
 #include "model/document/project_file.h"
 #include "model/export/exporter.h"
+#include "model/plant/grow/edit_graph.h"
 #include "model/plant/import.h"
 #include "model/plant/json_skeleton.h"
 #include "model/plant/prim_format.h"
@@ -55,7 +56,11 @@ const model::Plant* choose(const model::Project& project, const QString& name) {
 
 /// The graph as its source has it; of grown plants, as it is meshed.
 Result<model::SkeletonGraph> graphOf(const model::Plant& plant, model::Progress& progress) {
-  if (!plant.file.isEmpty()) return model::readSkeleton(plant.file, progress);
+  if (!plant.file.isEmpty()) {
+    const Result<model::SkeletonGraph> read = model::readSkeleton(plant.file, progress);
+    if (!read) return read.error();
+    return model::isSkeletonFile(plant.file.name) ? model::growth::withEdits(*read, plant.handEdits) : *read;
+  }
   const Result<model::PlantGeometry> geometry = model::loadGeometry(plant, progress);
   if (!geometry) return geometry.error();
   if (!geometry->skeleton) return Error{"has no skeleton"};

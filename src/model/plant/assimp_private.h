@@ -3,8 +3,8 @@
 
 #include <assimp/scene.h>
 
-#include <functional>
 #include <assimp/Importer.hpp>
+#include <functional>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <string>
 #include <unordered_map>

@@ -28,7 +28,10 @@ const std::vector<std::unique_ptr<PlantImporter>>& plantImporters();
 /// "*.fbx *.glb …" for file dialogs.
 QStringList plantFilePatterns();
 
-/// Reads the plant's file, or grows it.
+/// Whether edits by hand work on it: plants of the growers but the plain rule, and files that hold a skeleton alone.
+bool canBeShaped(const Plant& plant);
+
+/// Reads the plant's file, or grows it, with what was shaped by hand.
 Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress);
 
 }  // namespace windfall::model

@@ -24,6 +24,10 @@ Result<PlantGeometry> JsonSkeletonImporter::read(const SourceFile& file, const S
   return geometryOf(read->graph, surface, QStringLiteral("json"), progress);
 }
 
+bool isSkeletonFile(const QString& name) {
+  return QStringList{"prim", "json"}.contains(QFileInfo(name).suffix().toLower());
+}
+
 Result<SkeletonGraph> readSkeleton(const SourceFile& file, Progress& progress, QStringList* warnings) {
   const QString extension = QFileInfo(file.name).suffix().toLower();
   QStringList odd;

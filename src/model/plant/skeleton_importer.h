@@ -20,6 +20,9 @@ class JsonSkeletonImporter : public PlantImporter {
   Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, Progress& progress) const override;
 };
 
+/// A file that holds a skeleton alone, by its name.
+bool isSkeletonFile(const QString& name);
+
 /// The skeleton of a file of any format that can be read, as it is in the file. `warnings`: what was odd.
 Result<SkeletonGraph> readSkeleton(const SourceFile& file, Progress& progress, QStringList* warnings = nullptr);
 

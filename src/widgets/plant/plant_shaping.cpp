@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "model/plant/frames.h"
+#include "model/plant/import.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/look/icon.h"
 #include "widgets/viewport/viewport.h"
@@ -107,20 +108,19 @@ void PlantShaping::keepPart() {
 
 void PlantShaping::show() {
   const model::Plant* shown = document().project().plant(plant());
-  const bool grown =
-      shown != nullptr && shown->grower && shown->file.isEmpty() && shown->grower->method != model::GrowMethod::Rule;
+  const bool shapeable = shown != nullptr && model::canBeShaped(*shown);
   parts_->setVisible(shown != nullptr);
-  count_->setValue(!grown ? tr("none: not grown by a grower")
-                          : tr("%n", nullptr, static_cast<int>(shown->handEdits.size())));
+  count_->setValue(!shapeable ? tr("none: neither grown nor a skeleton")
+                              : tr("%n", nullptr, static_cast<int>(shown->handEdits.size())));
   for (QAction* action : actions_) {
-    if (!grown && action->isChecked()) select_->setChecked(true);
-    action->setEnabled(grown);
+    if (!shapeable && action->isChecked()) select_->setChecked(true);
+    action->setEnabled(shapeable);
   }
 }
 
 const model::PlantGeometry* PlantShaping::shapeable() {
   const model::Plant* shown = document().project().plant(plant());
-  if (shown == nullptr || !shown->grower || shown->grower->method == model::GrowMethod::Rule) return nullptr;
+  if (shown == nullptr || !model::canBeShaped(*shown)) return nullptr;
   // What is being grown anew has other bones than what is seen.
   if (around_.feed.isAssembling()) return nullptr;
   held_ = around_.loaded();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/plant/grow/grow_skeleton.h"
+
 namespace windfall::widgets {
 
 namespace {
@@ -353,9 +355,11 @@ void keepFar(const std::vector<vec3>& line, std::size_t from, std::size_t to, fl
 void ShapeTool::add(model::HandEdit edit, std::size_t bone, const QString& text) {
   const model::PlantGeometry* geometry = host_.shapeable();
   const model::Plant* plant = host_.document().project().plant(host_.plant());
-  if (geometry == nullptr || plant == nullptr || !plant->grower || bone >= geometry->bones.size()) return;
+  if (geometry == nullptr || plant == nullptr || bone >= geometry->bones.size()) return;
   edit.place = toQt(geometry->bones[bone].tail);
-  edit.age = plant->grower->age;
+  if (plant->grower) edit.age = plant->grower->age;
+  // A file's skeleton is shaped as it was read, before it is scaled.
+  if (!plant->file.isEmpty()) model::growth::scaleEdit(edit, 1 / plant->surface.scale);
   std::vector<model::HandEdit> edits = plant->handEdits;
   edits.push_back(std::move(edit));
   host_.document().setPlant(host_.plant(), &model::Plant::handEdits, std::move(edits), model::Aspect::PlantSource,
