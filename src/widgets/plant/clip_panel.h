@@ -30,7 +30,7 @@ class ClipPanel : public QObject {
   /// The clip that is chosen to be played; null: the simulation.
   std::shared_ptr<const model::Clip> chosen() const;
   /// What the viewport's simulation shows instead, for a clip of this plant.
-  static std::shared_ptr<const ClipPlay> play(std::shared_ptr<const model::Clip> clip,
+  static std::shared_ptr<const ClipPlay> play(const std::shared_ptr<const model::Clip>& clip,
                                               const model::LoadedPlant& loaded);
   void bake();
   void remove();

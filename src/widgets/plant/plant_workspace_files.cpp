@@ -112,7 +112,7 @@ void PlantWorkspace::replaceFile(const QString& path) {
   context_.jobs.start<model::Plant>(
       tr("Importing %1").arg(QFileInfo(path).fileName()), "import plant",
       [path](model::Progress& progress) { return readPlant(path, progress); },
-      [self = QPointer<PlantWorkspace>(this), path, id = plant_](model::Plant plant) {
+      [self = QPointer<PlantWorkspace>(this), path, id = plant_](const model::Plant& plant) {
         if (!self || self->context_.document.project().plant(id) == nullptr) return;
         self->watchFile(id, path);
         self->context_.document.setPlant(id, &model::Plant::file, plant.file, model::Aspect::PlantSource,

@@ -152,7 +152,7 @@ NumberField* SurfacePanel::number(FieldGroup& group, const QString& key, const Q
   connect(field, &NumberField::edited, this, [this, field, label, set](double value) {
     edit([&](SurfaceSettings& s) { set(s, value); }, tr("Change %1 of a plant").arg(label.toLower()), field->gesture());
   });
-  shows_.push_back([field, get](const SurfaceSettings& settings) { field->setValue(get(settings)); });
+  shows_.push_back([field, get = std::move(get)](const SurfaceSettings& settings) { field->setValue(get(settings)); });
   return field;
 }
 
@@ -164,7 +164,7 @@ ChoiceField* SurfacePanel::choice(FieldGroup& group, const QString& key, const Q
   connect(field, &ChoiceField::edited, this, [this, label, set](int value) {
     edit([&](SurfaceSettings& s) { set(s, value); }, tr("Change %1 of a plant").arg(label.toLower()), {});
   });
-  shows_.push_back([field, get](const SurfaceSettings& settings) { field->setValue(get(settings)); });
+  shows_.push_back([field, get = std::move(get)](const SurfaceSettings& settings) { field->setValue(get(settings)); });
   return field;
 }
 
