@@ -111,7 +111,8 @@ std::shared_ptr<const Clip> ClipPanel::chosen() const {
   return nullptr;
 }
 
-std::shared_ptr<const ClipPlay> ClipPanel::play(const std::shared_ptr<const Clip>& clip, const model::LoadedPlant& loaded) {
+std::shared_ptr<const ClipPlay> ClipPanel::play(const std::shared_ptr<const Clip>& clip,
+                                                const model::LoadedPlant& loaded) {
   if (!clip || !loaded.geometry || !loaded.bodies) return nullptr;
   auto play = std::make_shared<ClipPlay>();
   play->pose = [clip, loaded](double time) {

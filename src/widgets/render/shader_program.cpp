@@ -1,5 +1,6 @@
 #include "widgets/render/shader_program.h"
 
+#include <cstring>
 #include <regex>
 #include <sstream>
 
@@ -66,7 +67,8 @@ Result<Shader> compileShader(GLenum stage, const std::string& name, const std::s
   glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-  return Error{"shader " + readable(log.c_str(), source)};
+  log.resize(std::strlen(log.data()));
+  return Error{"shader " + readable(log, source)};
 }
 
 namespace {

@@ -45,7 +45,7 @@ NumberField* SceneInspector::windNumber(FieldGroup* group, const QString& key, c
   connect(field, &NumberField::edited, this, [this, field, label, set](double value) {
     editWind([&](Wind& wind) { set(wind, value); }, tr("Change %1").arg(label.toLower()), field->gesture());
   });
-  shows_.push_back([field, get](const model::Scene& scene) { field->setValue(get(scene.wind)); });
+  shows_.push_back([field, get = std::move(get)](const model::Scene& scene) { field->setValue(get(scene.wind)); });
   return field;
 }
 
@@ -146,7 +146,7 @@ NumberField* SceneInspector::fanNumber(const QString& key, const QString& label,
   connect(field, &NumberField::edited, this, [this, field, label, set](double value) {
     editFan([&](sim::Fan& fan) { set(fan, value); }, tr("Change %1 of a fan").arg(label.toLower()), field->gesture());
   });
-  fanShows_.push_back([field, get](const sim::Fan& fan) { field->setValue(get(fan)); });
+  fanShows_.push_back([field, get = std::move(get)](const sim::Fan& fan) { field->setValue(get(fan)); });
   return field;
 }
 

@@ -91,7 +91,7 @@ WindCurveEditor::Grip WindCurveEditor::gripAt(QPointF position) const {
   return best;
 }
 
-void WindCurveEditor::apply(std::vector<sim::WindKey> curve, const QString& text, bool ends) {
+void WindCurveEditor::apply(const std::vector<sim::WindKey>& curve, const QString& text, bool ends) {
   wind_.curve = curve;
   update();
   emit edited(curve, text, QStringLiteral("wind curve %1").arg(gesture_));

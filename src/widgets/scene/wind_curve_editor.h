@@ -49,7 +49,7 @@ class WindCurveEditor : public QWidget {
   double span() const;
   double strongest() const;
   Grip gripAt(QPointF position) const;
-  void apply(std::vector<sim::WindKey> curve, const QString& text, bool ends);
+  void apply(const std::vector<sim::WindKey>& curve, const QString& text, bool ends);
   void removePoint(int index);
   void paintLane(QPainter& painter, bool turn) const;
   bool isEditable() const { return wind_.course == sim::WindCourse::Curve; }
