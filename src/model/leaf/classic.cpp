@@ -1,6 +1,7 @@
 #include "model/leaf/classic.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernels/random.h"
@@ -42,6 +43,31 @@ std::vector<std::vector<int>> membersOf(const std::vector<SuperpixelPlace>& leve
   return members;
 }
 
+/// From where to where the distances of a region reach: structural, to the veins.
+struct Span {
+  std::array<float, 2> low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+  void add(const SuperpixelMean& mean) {
+    const std::array<float, 2> values{mean.distance, mean.veinDistance};
+    for (size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], values[c]), high[c] = std::max(high[c], values[c]);
+  }
+  float share(size_t c, float value) const {
+    return high[c] > low[c] ? std::clamp((value - low[c]) / (high[c] - low[c]), 0.f, 1.f) : 0.5f;
+  }
+  float at(size_t c, float share) const { return low[c] + share * (high[c] - low[c]); }
+};
+
+/// By region; entry 0 is the whole leaf's.
+std::vector<Span> spansOf(const std::vector<SuperpixelPlace>& level) {
+  std::vector<Span> spans(1);
+  for (const SuperpixelPlace& p : level) {
+    const auto region = static_cast<size_t>(std::max(0, p.mean.region));
+    if (region >= spans.size()) spans.resize(region + 1);
+    spans[0].add(p.mean);
+    if (region > 0) spans[region].add(p.mean);
+  }
+  return spans;
+}
+
 float squareDistance(const float* a, const float* b) {
   float sum = 0;
   for (int c = 0; c < 3; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
@@ -63,6 +89,7 @@ std::vector<SuperpixelMean> chooseSuperpixels(const LeafStages& target, const Le
     const std::vector<SuperpixelPlace>& source = from[from.size() - levels + n];
     const std::vector<SuperpixelPlace>* coarser = n > 0 ? &to[to.size() - levels + n - 1] : nullptr;
     const std::vector<std::vector<int>> members = membersOf(source);
+    const std::vector<Span> toSpans = spansOf(level), fromSpans = spansOf(source);
 #pragma omp parallel
     {
       std::vector<std::pair<float, int>> nearest;
@@ -75,9 +102,15 @@ std::vector<SuperpixelMean> chooseSuperpixels(const LeafStages& target, const Le
         const std::vector<int>& pool =
             region < members.size() && !members[region].empty() ? members[region] : members[0];
         nearest.clear();
+        // A place is as far along its region as the one that lends its colour: regions reach over unlike distances.
+        const bool matched = &pool != &members[0];
+        const Span &own = toSpans[matched ? static_cast<size_t>(mean.region) : 0],
+                   &its = fromSpans[matched ? region : 0];
+        const float distance = its.at(0, own.share(0, mean.distance));
+        const float vein = its.at(1, own.share(1, mean.veinDistance));
         for (const int e : pool) {
           const SuperpixelMean& other = source[static_cast<size_t>(e)].mean;
-          const float ds = mean.distance - other.distance, dg = mean.veinDistance - other.veinDistance;
+          const float ds = distance - other.distance, dg = vein - other.veinDistance;
           nearest.emplace_back(ds * ds + dg * dg, e);
         }
         const auto count = std::min<size_t>(static_cast<size_t>(std::max(1, parameters.candidates)), nearest.size());

@@ -15,8 +15,9 @@ std::vector<float> synthesizeClassic(const LeafStages& target, const LeafStages&
                                      const SynthesisParameters& parameters, quint64 seed, Progress& progress);
 
 /// For each superpixel of the target's finest level the Lab of one of the example's. Level by level: of the
-/// `candidates` nearest in structural and vein distance within the matched region `choices` are drawn, and the one is
-/// taken whose colour is nearest to that of the level before at this place (leaf_textures.md, 7).
+/// `candidates` nearest in structural and vein distance, both as shares of their region's, within the matched region
+/// `choices` are drawn, and the one is taken whose colour is nearest to that of the level before at this place
+/// (leaf_textures.md, 7).
 std::vector<SuperpixelMean> chooseSuperpixels(const LeafStages& target, const LeafStages& example,
                                               const std::vector<float>& colours, const std::vector<int>& match,
                                               const SynthesisParameters& parameters, quint64 seed);

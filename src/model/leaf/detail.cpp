@@ -9,7 +9,9 @@ namespace windfall::model {
 
 namespace {
 
-constexpr int kNearest = 24, kTried = 8, kPlaces = 5;
+constexpr int kNearest = 24, kPlaces = 5;
+/// Weight of veins that lie on veins beside that of colours that continue; and how wide a vein is, of windows of 24.
+constexpr float kOnVeins = 300, kVeinWidth = 2;
 using Feature = std::array<float, 2 * kPlaces>;
 
 struct Window {
@@ -29,6 +31,12 @@ class Layer {
   }
   size_t index(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+  }
+  /// 1 on a vein, falling off within a few pixels beside it.
+  float line(size_t i) const {
+    const float d = structure_.veinDistance.values[i] * static_cast<float>(structure_.veinDistance.unit) /
+                    (kVeinWidth * static_cast<float>(side_) / 24);
+    return std::exp(-d * d);
   }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -83,6 +91,9 @@ std::vector<float> layDetail(const LeafStructure& target, const DetailSource& ex
   const int longSide = std::max(target.distance.size.width(), target.distance.size.height());
   const int side = std::max(8, 24 * longSide / 512 / 2 * 2), stride = side / 2;
   const Layer to(target, side), from(*example.structure, side);
+  std::vector<float> toLine(target.distance.values.size()), fromLine(example.structure->distance.values.size());
+  for (size_t i = 0; i < toLine.size(); ++i) toLine[i] = to.line(i);
+  for (size_t i = 0; i < fromLine.size(); ++i) fromLine[i] = from.line(i);
   std::vector<Window> sources;
   const int grid = std::max(2, side / 8);
   for (const double least : {0.98, 0.8, 0.4}) {
@@ -115,14 +126,18 @@ std::vector<float> layDetail(const LeafStructure& target, const DetailSource& ex
       std::sort(nearest.begin(), nearest.begin() + count);
       int chosen = nearest[0].second;
       float bestFit = 1e30f;
-      for (int attempt = 0; attempt < kTried; ++attempt) {
-        const int candidate = nearest[random.below(static_cast<std::uint32_t>(count))].second;
+      for (int attempt = 0; attempt < count; ++attempt) {
+        // Each is left out by chance at times: another seed takes another one.
+        if (attempt > 0 && random.below(4) == 0) continue;
+        const int candidate = nearest[static_cast<size_t>(attempt)].second;
         const Window& window = sources[static_cast<size_t>(candidate)];
         float fit = 0;
         for (int j = 1; j < side; j += 3) {
           for (int i = 1; i < side; i += 3) {
             if (!to.inside(left + i, top + j)) continue;
             const size_t t = to.index(left + i, top + j), e = from.index(window.x + i, window.y + j);
+            const float onVein = toLine[t] - fromLine[e];
+            fit += kOnVeins * onVein * onVein;
             if (squares[t] < 0.05f) continue;
             const float norm = 1 / std::sqrt(squares[t]);
             for (size_t c = 0; c < 3; ++c) {

@@ -15,7 +15,8 @@ struct DetailSource {
 };
 
 /// A zero-mean detail layer for the target from overlapping windows of the example that lie at like distances from root
-/// and veins; of some the one that fits best to its neighbours (leaf_textures.md, 9a). Three floats a pixel.
+/// and veins; of some the one that fits best to its neighbours and has its veins where the target's are
+/// (leaf_textures.md, 9a). Three floats a pixel.
 std::vector<float> layDetail(const LeafStructure& target, const DetailSource& example, RandomSequence& random,
                              Progress& progress);
 

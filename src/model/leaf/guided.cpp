@@ -17,7 +17,15 @@ constexpr int kRadius = 2, kPatch = 25, kAngles = 64, kBands = 16;
 constexpr float kFar = 1e30f;
 /// Falloff of the votes with the squared distance from a patch's middle: wide while patches still move, at last so
 /// narrow that the example's own sharpness is left.
-constexpr float kWide = 0.15f, kSharp = 4.f;
+constexpr float kWide = 0.3f, kSharp = 4.f;
+/// A random place must be better by so much than the match that fits to its neighbours': whole pieces of the example
+/// look more like a photograph than patches that are each a little better.
+constexpr float kRandomGain = 0.4f;
+/// Each finer level trusts its colours more and the guides less.
+constexpr float kGuideFade = 0.6f;
+constexpr int kPiece = 12;          ///< px of the coarsest level: side of the pieces that begin as wholes
+constexpr float kFidelity = 0.05f;  ///< of colours beside their steps: seams are spread over 1 / its root, px
+constexpr int kLevelSweeps = 30;
 constexpr int kFineReach = 32;  ///< px: how far finer levels search
 
 /// Four floats that one instruction adds or multiplies.
@@ -28,6 +36,17 @@ Lanes lanesOf(const PatchPixel& pixel) {
   Lanes lanes;
   std::memcpy(&lanes, &pixel, sizeof lanes);
   return lanes;
+}
+
+struct Guides {
+  Lanes place, kind;
+};
+static_assert(sizeof(PatchGuide) == sizeof(Guides));
+
+Guides guidesOf(const PatchGuide& guide) {
+  Guides guides;
+  std::memcpy(&guides, &guide, sizeof guides);
+  return guides;
 }
 
 struct Match {
@@ -64,6 +83,13 @@ class Offsets {
     return index(mirrored, angle & (kAngles - 1));
   }
   const std::array<int, kPatch>& steps(size_t turn) const { return step_[turn]; }
+  /// Any step, turned.
+  static std::array<int, 2> turned(size_t turn, int dx, int dy) {
+    const bool mirrored = turn >= kAngles;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(turn % kAngles) / kAngles;
+    const double c = std::cos(angle), s = std::sin(angle), across = mirrored ? -dy : dy;
+    return {static_cast<int>(std::lround(c * dx - s * across)), static_cast<int>(std::lround(s * dx + c * across))};
+  }
   int dx(size_t turn, size_t k) const { return dx_[turn][k]; }
   int dy(size_t turn, size_t k) const { return dy_[turn][k]; }
 
@@ -79,7 +105,7 @@ class Level {
       : target_(level.target),
         example_(level.example),
         offsets_(level.example.stride),
-        guideWeight_(static_cast<float>(guideWeight) * kPatch),
+        guideWeight_(static_cast<float>(guideWeight) * kPatch * std::pow(kGuideFade, static_cast<float>(number))),
         seed_(seed),
         number_(number),
         field_(target_.leaf.size()),
@@ -125,6 +151,7 @@ class Level {
           wanted > 0 && wanted < members.size() && members[wanted].size() >= 8 ? members[wanted] : members[0];
       assign(places[r], pool);
     }
+    keepPiecesWhole();
   }
 
   void startFromCoarser(const Level& coarser) {
@@ -218,6 +245,48 @@ class Level {
     }
   }
 
+  /// Colours whose steps from pixel to pixel are those of the example, at small cost in the colours themselves: where
+  /// two patches of different brightness meet, the step between them is spread out instead of seen as an edge.
+  void levelSeams(float fidelity, int sweeps) {
+    const size_t count = target_.leaf.size();
+    const auto width = static_cast<size_t>(target_.width);
+    std::vector<Lanes> right(count, Lanes{}), down(count, Lanes{}), value(count, Lanes{});
+#pragma omp parallel for schedule(static)
+    for (int y = 0; y < target_.height; ++y) {
+      for (int x = 0; x < target_.width; ++x) {
+        const size_t i = target_.at(x, y);
+        if (!target_.leaf[i]) continue;
+        value[i] = lanesOf(target_.pixels[target_.padded(x, y)]);
+        if (x + 1 < target_.width && target_.leaf[i + 1]) right[i] = step(x, y, 1, 0);
+        if (y + 1 < target_.height && target_.leaf[i + width]) down[i] = step(x, y, 0, 1);
+      }
+    }
+    const std::vector<Lanes> wanted = value;
+    // Successive over-relaxation, red and black pixels in turn: the same bits for any number of threads.
+    const float relaxation = 2 / (1 + std::sqrt(1 - std::pow(4 / (4 + fidelity), 2.f)));
+    for (int sweep = 0; sweep < 2 * sweeps; ++sweep) {
+#pragma omp parallel for schedule(static)
+      for (int y = 0; y < target_.height; ++y) {
+        for (int x = (y + sweep) & 1; x < target_.width; x += 2) {
+          const size_t i = target_.at(x, y);
+          if (!target_.leaf[i]) continue;
+          Lanes sum = fidelity * wanted[i];
+          float weight = fidelity;
+          if (x > 0 && target_.leaf[i - 1]) sum += value[i - 1] + right[i - 1], weight += 1;
+          if (x + 1 < target_.width && target_.leaf[i + 1]) sum += value[i + 1] - right[i], weight += 1;
+          if (y > 0 && target_.leaf[i - width]) sum += value[i - width] + down[i - width], weight += 1;
+          if (y + 1 < target_.height && target_.leaf[i + width]) sum += value[i + width] - down[i], weight += 1;
+          value[i] += relaxation * (sum / weight - value[i]);
+        }
+      }
+    }
+    for (const auto& [x, y] : places_) {
+      PatchPixel& pixel = target_.pixels[target_.padded(x, y)];
+      const Lanes& lanes = value[target_.at(x, y)];
+      pixel.l = lanes[0], pixel.a = lanes[1], pixel.b = lanes[2];
+    }
+  }
+
   std::vector<float> colours() const {
     std::vector<float> result(3 * target_.leaf.size(), 0.f);
     for (const auto& [x, y] : places_) {
@@ -246,6 +315,30 @@ class Level {
     return top * (1 - fy) + bottom * fy;
   }
 
+  /// The step of the colours from a pixel to the next one, as far as one of their two patches has the like of it.
+  Lanes step(int x, int y, int dx, int dy) const {
+    Lanes least{kFar, kFar, kFar, kFar}, most = -least;
+    const auto add = [&](int px, int py, int way) {
+      const Match& match = field_[target_.at(px, py)];
+      if (match.x < 0) return;
+      const auto k = static_cast<size_t>((way * dy + kRadius) * 5 + way * dx + kRadius);
+      const size_t middle = example_.padded(match.x, match.y);
+      const int offset = offsets_.steps(turnOf(px, py, match.x, match.y))[k];
+      const PatchPixel& beside = example_.pixels[static_cast<size_t>(static_cast<int>(middle) + offset)];
+      if (beside.penalty > 0) return;
+      const Lanes step = static_cast<float>(way) * (lanesOf(beside) - lanesOf(example_.pixels[middle]));
+      least = step < least ? step : least;
+      most = step > most ? step : most;
+    };
+    add(x, y, 1);
+    add(x + dx, y + dy, -1);
+    if (least[0] > most[0]) return Lanes{};
+    const Lanes own =
+        lanesOf(target_.pixels[target_.padded(x + dx, y + dy)]) - lanesOf(target_.pixels[target_.padded(x, y)]);
+    const Lanes above = own < least ? least : own;
+    return above > most ? most : above;
+  }
+
   bool patchIsWhole(int x, int y) const {
     for (int dy = -kRadius; dy <= kRadius; ++dy) {
       for (int dx = -kRadius; dx <= kRadius; ++dx) {
@@ -265,9 +358,9 @@ class Level {
     if (ex < 0) return kFar;
     const size_t t = target_.at(x, y), e = example_.at(ex, ey);
     if (!example_.leaf[e]) return kFar;
-    const PatchGuide &g = target_.guides[t], &h = example_.guides[e];
-    const float d0 = g.distance - h.distance, d1 = g.vein - h.vein, d2 = g.margin - h.margin, d3 = g.line - h.line;
-    float sum = guideWeight_ * (d0 * d0 + d1 * d1 + d2 * d2 + d3 * d3);
+    const Guides g = guidesOf(target_.guides[t]), h = guidesOf(example_.guides[e]);
+    const Lanes place = g.place - h.place, kind = g.kind - h.kind, guides = place * place + kind * kind;
+    float sum = guideWeight_ * ((guides[0] + guides[1]) + (guides[2] + guides[3]));
     if (sum >= limit) return sum;
     const std::array<int, kPatch>& steps = offsets_.steps(turnOf(x, y, ex, ey));
     const PatchPixel* from = &example_.pixels[example_.padded(ex, ey)];
@@ -289,10 +382,10 @@ class Level {
     return sum;
   }
 
-  void offer(Match& best, int x, int y, int ex, int ey) const {
+  void offer(Match& best, int x, int y, int ex, int ey, float keep = 1) const {
     if (ex < 0 || ey < 0 || ex >= example_.width || ey >= example_.height) return;
-    const float c = cost(x, y, ex, ey, best.cost);
-    if (c < best.cost) best = {static_cast<std::int16_t>(ex), static_cast<std::int16_t>(ey), c};
+    const float c = cost(x, y, ex, ey, best.cost * keep);
+    if (c < best.cost * keep) best = {static_cast<std::int16_t>(ex), static_cast<std::int16_t>(ey), c};
   }
 
   /// The neighbour's match, moved by the step between them as its frame turns it.
@@ -314,7 +407,7 @@ class Level {
       const int dx = static_cast<int>(bits % static_cast<std::uint32_t>(2 * radius + 1)) - radius;
       bits = pcg(bits);
       const int dy = static_cast<int>(bits % static_cast<std::uint32_t>(2 * radius + 1)) - radius;
-      offer(best, x, y, best.x + dx, best.y + dy);
+      offer(best, x, y, best.x + dx, best.y + dy, kRandomGain);
     }
   }
 
@@ -331,6 +424,25 @@ class Level {
       }
     }
     return {0, 0, kFar};
+  }
+
+  /// Small pieces of the target take over the match of their middle: a region that is larger than the example's is
+  /// filled with its pieces in their own size instead of one that is stretched.
+  void keepPiecesWhole() {
+    const std::vector<Match> single = field_;
+    for (const auto& [x, y] : places_) {
+      const int cx = std::min(target_.width - 1, x / kPiece * kPiece + kPiece / 2),
+                cy = std::min(target_.height - 1, y / kPiece * kPiece + kPiece / 2);
+      const size_t here = target_.at(x, y), middle = target_.at(cx, cy);
+      const Match& match = single[middle];
+      if (match.x < 0 || target_.region[middle] != target_.region[here]) continue;
+      const auto [dx, dy] = Offsets::turned(turnOf(cx, cy, match.x, match.y), x - cx, y - cy);
+      const int ex = match.x + dx, ey = match.y + dy;
+      if (ex < 0 || ey < 0 || ex >= example_.width || ey >= example_.height) continue;
+      const size_t e = example_.at(ex, ey);
+      if (!example_.leaf[e] || example_.region[e] != example_.region[example_.at(match.x, match.y)]) continue;
+      field_[here] = {static_cast<std::int16_t>(ex), static_cast<std::int16_t>(ey), kFar};
+    }
   }
 
   void assign(const std::vector<size_t>& places, const std::vector<size_t>& pool) {
@@ -402,6 +514,7 @@ std::vector<float> synthesizeGuided(std::vector<GuidedLevel> levels, const std::
       const bool last = n + 1 == levels.size() && round + 1 == rounds;
       level->vote(last ? kSharp : kWide);
     }
+    if (n + 1 == levels.size()) level->levelSeams(kFidelity, kLevelSweeps);
     progress.report(static_cast<double>(n + 1) / static_cast<double>(levels.size()));
     coarser = std::move(level);
   }

@@ -11,6 +11,7 @@ namespace {
 
 /// What lies beside a vein lies at a like distance in pixels, however wide apart the veins are.
 constexpr float kHalo = 0.6f, kHaloReach = 5;  // px at 512
+constexpr float kStanding = 1, kPetiole = 1;   ///< weights beside the other guides
 constexpr float kOffLeaf = 24.5f;              ///< squared: the cost of a pixel where a patch reaches off the leaf
 
 cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::Size full, cv::Size size,
@@ -41,7 +42,7 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
   const cv::Mat1f distance = shrunk(structure.distance.values, weight, full, size, small);
   const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
   const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
-  cv::Mat1f lines(full), line;
+  cv::Mat1f lines(full), line, standings(full), standing;
   for (int y = 0; y < full.height; ++y) {
     for (int x = 0; x < full.width; ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
@@ -53,10 +54,13 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
   for (int y = 0; y < full.height; ++y) {
     for (int x = 0; x < full.width; ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
-      lines(y, x) = lines(y, x) + kHalo * std::exp(-frame.reach[i] / (kHaloReach * static_cast<float>(unit)));
+      const float near = std::exp(-frame.reach[i] / (kHaloReach * static_cast<float>(unit)));
+      lines(y, x) = lines(y, x) + kHalo * near;
+      standings(y, x) = kStanding * near * frame.standing[i];
     }
   }
   cv::resize(lines, line, size, 0, 0, cv::INTER_AREA);
+  cv::resize(standings, standing, size, 0, 0, cv::INTER_AREA);
   cv::Mat3f colours = cv::Mat3f::zeros(size);
   if (lab) {
     const cv::Mat3f source(full.height, full.width, reinterpret_cast<cv::Vec3f*>(const_cast<float*>(lab)));
@@ -82,7 +86,10 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
       const int fy = std::min(full.height - 1, static_cast<int>((y + 0.5) * full.height / size.height));
       const size_t j = static_cast<size_t>(fy) * static_cast<size_t>(full.width) + static_cast<size_t>(fx);
       image.leaf[i] = small(y, x) > 0.5f;
-      image.guides[i] = {distance(y, x), std::min(1.f, vein(y, x)), 0.5f * margin(y, x), line(y, x)};
+      image.guides[i] = {distance(y, x), std::min(1.f, vein(y, x)), 0.5f * margin(y, x), line(y, x), standing(y, x), 0};
+      if (structure.regions.petiole > 0 && structure.regions.values[j] == structure.regions.petiole) {
+        image.guides[i].petiole = kPetiole;
+      }
       const double turns = frame.angle[j] / (2 * std::numbers::pi);
       image.angle[i] = static_cast<std::uint8_t>(static_cast<int>(std::lround((turns - std::floor(turns)) * 64)) & 63);
       image.side[i] = frame.side[j];

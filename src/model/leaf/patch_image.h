@@ -17,8 +17,12 @@ struct PatchPixel {
   float penalty = 0;  ///< off the leaf: its square is added to a patch that reaches there
 };
 
+/// Where a pixel lies in its leaf: what equal places of two leaves have in common.
 struct PatchGuide {
   float distance = 0, vein = 0, margin = 0, line = 0;
+  float standing = 0;  ///< of the vein on or beside which it lies, fading with the distance from it
+  float petiole = 0;   ///< so large that nothing is exchanged between petiole and blade
+  float unused[2] = {0, 0};
 };
 
 struct PatchImage {

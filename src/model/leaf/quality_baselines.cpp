@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/random.h"
+#include "model/leaf/classic.h"
 
 namespace windfall::model {
 
@@ -45,6 +46,26 @@ std::vector<float> regionMeans(const BaselineInput& in) {
     const auto region = static_cast<size_t>(in.target.grown.regions.values[t] - 1);
     const std::array<double, 4>& sum = sums[static_cast<size_t>(region < in.match.size() ? in.match[region] : 1)];
     for (size_t c = 0; c < 3; ++c) result[3 * t + c] = static_cast<float>(sum[c] / std::max(1.0, sum[3]));
+  }
+  return result;
+}
+
+/// The coarsest level of the thesis's pyramid, painted as it is.
+std::vector<float> fewSuperpixels(const BaselineInput& in) {
+  constexpr int kCount = 64;
+  LeafStages target, example;
+  target.grown = in.target.grown, example.seen = in.example.seen;
+  target.grown.superpixels = makeSuperpixels(target.grown.distance, target.grown.regions, kCount);
+  example.seen.superpixels = makeSuperpixels(example.seen.distance, example.seen.regions, kCount);
+  SynthesisParameters parameters;
+  parameters.levels = 1;
+  const std::vector<SuperpixelMean> chosen =
+      chooseSuperpixels(target, example, in.colours, in.match, parameters, in.seed);
+  std::vector<float> result(3 * target.grown.distance.values.size(), 0.f);
+  for (size_t i = 0; i < target.grown.superpixels.values.size(); ++i) {
+    const qint32 label = target.grown.superpixels.values[i];
+    if (label <= 0 || static_cast<size_t>(label) > chosen.size()) continue;
+    for (size_t c = 0; c < 3; ++c) result[3 * i + c] = chosen[static_cast<size_t>(label - 1)].lab[c];
   }
   return result;
 }
@@ -101,6 +122,7 @@ std::vector<float> rowStretch(const BaselineInput& in) {
 std::vector<Baseline> naiveBaselines() {
   return {{"naive: one mean colour", oneMean},
           {"naive: mean colour of regions", regionMeans},
+          {"naive: 64 superpixels", fewSuperpixels},
           {"naive: random pixels", randomPixels},
           {"naive: random patches, 32 px", randomPatches},
           {"naive: photo stretched by rows", rowStretch}};

@@ -23,8 +23,8 @@ struct Baseline {
   std::vector<float> (*colour)(const BaselineInput& input);  ///< Lab, three floats a pixel of the target
 };
 
-/// One mean colour, a mean colour a region, random pixels, random patches of 32 px, the photo stretched row by row
-/// (leaf_textures.md, 11).
+/// One mean colour, a mean colour a region, 64 superpixels, random pixels, random patches of 32 px, the photo stretched
+/// row by row (leaf_textures.md, 11).
 std::vector<Baseline> naiveBaselines();
 
 /// Root and tip in working pixels.

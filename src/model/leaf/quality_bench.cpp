@@ -176,7 +176,6 @@ class Bench {
     methods.push_back(classic("classic", ours.levels, ours.candidates, ours.choices, false));
     methods.push_back(classic("classic with detail, N 16 M 6", 5, 16, 6, true));
     methods.push_back(classic("thesis: N 16 M 6, 5 levels", 5, 16, 6, false));
-    methods.push_back(classic("coarsest superpixels only", 1, 8, 1, false));
     methods.push_back({"guided, without guides", ours});
     methods.back().parameters.guideWeight = 0;
     return methods;

@@ -71,14 +71,20 @@ std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& 
   const auto share = static_cast<size_t>(std::ceil(parameters.best * static_cast<double>(examples.size()) - 1e-9));
   const size_t best = std::min(examples.size(), std::max<size_t>(3, share));
   for (const size_t turn : turns) {
+    // A petiole is like no part of a blade.
+    if (static_cast<int>(turn) + 1 == target.regions.petiole) {
+      match[turn] = example.regions.petiole;
+      continue;
+    }
     std::vector<int> order;
     std::vector<double> score;
     for (size_t e = 0; e < examples.size(); ++e) {
       score.push_back(alike(targets[turn], examples[e]));
-      if (used[e] < most) order.push_back(static_cast<int>(e));
+      if (used[e] < most && static_cast<int>(e) + 1 != example.regions.petiole) order.push_back(static_cast<int>(e));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return score[static_cast<size_t>(a)] > score[static_cast<size_t>(b)]; });
+    if (order.empty()) continue;
     const auto choice = static_cast<std::uint32_t>(std::min(best, order.size()));
     const int chosen = order[random.below(choice)];
     ++used[static_cast<size_t>(chosen)];

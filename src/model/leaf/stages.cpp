@@ -11,6 +11,7 @@
 #include "model/leaf/distance.h"
 #include "model/leaf/image_cv_private.h"
 #include "model/leaf/mask.h"
+#include "model/leaf/petiole_region.h"
 #include "model/leaf/regions.h"
 #include "model/leaf/shape.h"
 #include "model/leaf/superpixels.h"
@@ -289,7 +290,7 @@ class Computation {
   }
 
   Result<bool> regions() {
-    if (sameTissue_ && has(Stage::Regions) && known_->made.markers == leaf_.markers) {
+    if (sameTissue_ && has(Stage::Regions) && known_->made.markers == leaf_.markers && samePetiole()) {
       result_.grown.regions = known_->grown.regions;
       result_.markers = known_->markers;
       sameRegions_ = true;
@@ -300,8 +301,17 @@ class Computation {
     for (const QPointF& marker : leaf_.markers) markers.push_back(result_.toWorking(marker));
     if (markers.empty()) markers = automaticMarkers(types_, size_);
     result_.grown.regions = growRegions(types_, size_, markers);
+    setPetioleApart(result_.grown.regions, workingPetiole());
     for (const QPointF& marker : markers) result_.markers.push_back(result_.toPhoto(marker));
     return false;
+  }
+
+  bool samePetiole() const { return known_->petiole == result_.petiole; }
+
+  std::vector<QPointF> workingPetiole() const {
+    std::vector<QPointF> line;
+    for (const QPointF& p : result_.petiole) line.push_back(result_.toWorking(p));
+    return line;
   }
 
   Result<bool> superpixels() {
@@ -314,7 +324,7 @@ class Computation {
     // What the photo shows does not depend on the veins that were grown or drawn.
     const bool sameSeen = has(Stage::Superpixels) && known_->photo.cacheKey() == result_.photo.cacheKey() &&
                           known_->alpha.cacheKey() == result_.alpha.cacheKey() && known_->root == result_.root &&
-                          known_->made.parameters.costs == leaf_.parameters.costs;
+                          samePetiole() && known_->made.parameters.costs == leaf_.parameters.costs;
     if (sameSeen) {
       result_.seen = known_->seen;
       if (!sameCount) result_.seen.superpixels = makeSuperpixels(result_.seen.distance, result_.seen.regions, count);
@@ -328,6 +338,7 @@ class Computation {
     const std::vector<Tissue> seen = extractVeins(sized, types_, root.toPoint());
     measure(seen, result_.seen);
     result_.seen.regions = growRegions(seen, size_, automaticMarkers(seen, size_));
+    setPetioleApart(result_.seen.regions, workingPetiole());
     result_.seen.superpixels = makeSuperpixels(result_.seen.distance, result_.seen.regions, count);
     return false;
   }

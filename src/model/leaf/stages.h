@@ -28,6 +28,7 @@ struct LabelField {
   QSize size;
   std::vector<qint32> values;
   int count = 0;
+  int petiole = 0;  ///< the label that is the petiole, the last one; 0: there is none
 };
 
 /// What colours are read and placed by: where a pixel lies in its leaf.

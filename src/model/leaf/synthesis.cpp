@@ -42,7 +42,7 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
   const double length = QLineF(target.root, target.tip).length() * target.scale;
   const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
   const int finest =
-      std::clamp(static_cast<int>(std::floor(std::log2(std::max(1.0, example.scale / 1.2)))), 0, levels - 1);
+      std::clamp(static_cast<int>(std::floor(std::log2(std::max(1.0, example.scale * 1.2)))), 0, levels - 1);
   std::vector<GuidedLevel> pyramid;
   for (int n = levels - 1; n >= finest; --n) {
     const double factor = std::exp2(n);

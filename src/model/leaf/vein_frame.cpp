@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "model/leaf/vein_flow.h"
+
 namespace windfall::model {
 
 namespace {
@@ -71,12 +73,14 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   cv::distanceTransform(open, toVein, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
   cv::distanceTransform(leaf, toMargin, cv::DIST_L2, 5);
   const float fallback = static_cast<float>(std::atan2(tip.y() - root.y(), tip.x() - root.x()));
-  std::vector<float> angleOf(1, fallback);
+  std::vector<float> angleOf(1, fallback), standingOf(1, 0.f);
+  const std::vector<float> flow = veinFlow(structure);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       if (open(y, x)) continue;
       const auto label = static_cast<size_t>(nearest(y, x));
-      if (label >= angleOf.size()) angleOf.resize(label + 1, fallback);
+      if (label >= angleOf.size()) angleOf.resize(label + 1, fallback), standingOf.resize(label + 1, 0.f);
+      standingOf[label] = std::sqrt(flow[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]);
       if (tensors.count(y, x) < 3) continue;
       // The main direction of the vein pixels around, pointing to where the structural distance grows.
       float angle = 0.5f * std::atan2(2 * tensors.xy(y, x), tensors.xx(y, x) - tensors.yy(y, x));
@@ -91,11 +95,13 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   frame.side.resize(pixels);
   frame.reach.resize(pixels);
   frame.margin.resize(pixels);
+  frame.standing.resize(pixels);
   const QPointF along = tip - root;
   for (size_t i = 0; i < pixels; ++i) {
     const int y = static_cast<int>(i) / width, x = static_cast<int>(i) % width;
     const auto label = static_cast<size_t>(nearest(y, x));
     frame.angle[i] = label < angleOf.size() ? angleOf[label] : fallback;
+    frame.standing[i] = label < standingOf.size() ? standingOf[label] : 0;
     frame.side[i] = along.x() * (y - root.y()) - along.y() * (x - root.x()) >= 0 ? 1 : -1;
     frame.reach[i] = toVein(y, x);
     frame.margin[i] = std::min(1.f, toMargin(y, x) / (0.5f * static_cast<float>(deepest)));

@@ -14,6 +14,7 @@ struct VeinFrame {
   std::vector<signed char> side;  ///< +1 or -1: which side of the line from root to tip
   std::vector<float> reach;       ///< distance to the nearest vein, px
   std::vector<float> margin;      ///< distance to the margin over half its largest, 0..1
+  std::vector<float> standing;    ///< of the nearest vein, 0..1: root of the share of the leaf that it serves here
 };
 
 /// `root` and `tip` in working pixels. The veins of a structure are where its vein distance is 0.
