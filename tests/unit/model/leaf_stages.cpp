@@ -125,7 +125,8 @@ class LeafStagesTest : public QObject {
     heap.markers.assign(40, stages_.markers[0]);
     const Result<LeafStages> heaped = run(heap, &stages_);
     QVERIFY(heaped);
-    for (const qint32 region : heaped->grown.regions.values) QVERIFY(region <= 1);
+    const LabelField& regions = heaped->grown.regions;
+    for (const qint32 region : regions.values) QVERIFY(region <= 1 || region == regions.petiole);
     heap.markers = {{-900, -900}};
     QVERIFY(run(heap, &stages_));
     Progress progress;

@@ -78,9 +78,24 @@ class LeafStructureTest : public QObject {
     Progress progress;
     const Result<LeafStages> given = computeStages(leaf, Stage::Regions, progress);
     QVERIFY(given);
-    QCOMPARE(given->grown.regions.count, 3);
+    // The petiole comes after them.
+    QCOMPARE(given->grown.regions.count, given->grown.regions.petiole > 0 ? 4 : 3);
     const QPointF place = given->toWorking(leaf.markers[1]);
     QCOMPARE(given->grown.regions.values[size_t(int(place.y()) * given->alpha.width() + int(place.x()))], 2);
+  }
+
+  void petioleAndBladeLendNothingToEachOther() {
+    const LabelField &to = stages_.grown.regions, &from = stages_.seen.regions;
+    QVERIFY(to.petiole == to.count && from.petiole == from.count);
+    QVERIFY(regionAt(stages_, to, 0.5 * (stages_.petiole.front() + stages_.root)) == to.petiole);
+    QVERIFY(regionAt(stages_, to, 0.5 * (stages_.tip + stages_.root)) != to.petiole);
+    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+      RandomSequence random(seed);
+      const std::vector<int> match = matchRegions(stages_.grown, stages_.seen, random);
+      for (size_t i = 0; i < match.size(); ++i) {
+        QCOMPARE(match[i] == from.petiole, static_cast<int>(i) + 1 == to.petiole);
+      }
+    }
   }
 
   void floodsMeetOnTheVeins() {
