@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/simulate_bake.h"
 #include "model/document/durable_file.h"
 #include "model/document/project_file.h"
 #include "model/plant/import.h"
@@ -17,11 +18,11 @@ namespace windfall::app {
 namespace {
 
 struct SimulateOptions {
-  std::string file, device = "auto", method, trace, windData;
+  std::string file, device = "auto", method, trace, windData, bake;
   std::vector<float> direction;
   std::optional<float> wind, windUntil, dt;
   float spawnHeight = 0;
-  double seconds = 20;
+  double seconds = 20, bakeSeconds = 6;
   std::int32_t leaves = 0;
   int threads = 0;
   bool hash = false;
@@ -138,6 +139,9 @@ int run(const SimulateOptions& options) {
     }
     if (options.wind) project->scene.wind.speed = speed;
   }
+  if (!options.bake.empty()) {
+    return bakeInto(std::move(*project), path, text(options.bake), options.bakeSeconds, progress);
+  }
   Result<model::SceneAssembly> assembly = model::assembleTrees(*project, progress);
   if (!assembly) return fail(path, assembly.error());
   const sim::Device device = options.device == "cuda"  ? sim::Device::Cuda
@@ -221,6 +225,11 @@ void declareSimulate(CLI::App& app, Action& action) {
                    "forces, literal: the theses' methods, for comparison")
       ->check(CLI::IsMember({"coupled", "analytic", "forces", "literal"}));
   command->add_option("--trace", o->trace, "Write a row a step to this CSV file");
+  command->add_option("--bake", o->bake,
+                      "Write the first tree with a loopable clip of this wind instead (.glb, .gltf, .windfall)");
+  command->add_option("--bake-seconds", o->bakeSeconds, "Length of that clip")
+      ->check(CLI::Range(0.1, 120.0))
+      ->capture_default_str();
   command->add_flag("--hash", o->hash, "Print the hash of the final state last");
   command->callback([o, &action] {
     if (const std::string problem = o->direction.empty() ? "" : checkDirection(o->direction); !problem.empty()) {
