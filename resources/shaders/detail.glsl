@@ -5,7 +5,7 @@ struct Ring {
   vec4 across;    // normal, slope of the radius
   vec4 outwards;  // away from the parent's axis; distance from its surface in lengths of the collar
   float reach;    // radius in lengths of the collar; negative: height of root lobes
-  float pad;
+  float collar;  // how near the junction
   uint link;
   uint tint;
 };

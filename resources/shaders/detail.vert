@@ -1,4 +1,5 @@
 #include "frame.glsl"
+#define WATCHED
 #include "detail_vertex.glsl"
 layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
 layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };
@@ -6,13 +7,13 @@ layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };  // colour 
 invariant gl_Position;
 
 layout(location = 0) out vec3 worldPosition;
-layout(location = 1) out vec3 worldNormal;
+layout(location = 1) centroid out vec3 worldNormal;
 layout(location = 2) out vec2 textureUv;
 layout(location = 3) out vec3 restPosition;
 layout(location = 4) out vec3 restNormal;
 layout(location = 5) out float highlight;
-layout(location = 6) out vec3 around;
-layout(location = 7) out vec3 behind;
+layout(location = 6) centroid out vec3 around;
+layout(location = 7) centroid out vec3 behind;
 layout(location = 8) out vec4 air;
 layout(location = 9) out float barkRepeats;
 layout(location = 10) out vec4 barkTint;

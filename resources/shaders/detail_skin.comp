@@ -9,18 +9,22 @@ float smoothLevel(float radius, float d, uint level) {
   return clamp(log2(sides / 3.0), top - 0.9999, top);
 }
 
-float widening(vec4 table[3], float e) {
-  float below = 0.0;
+float widening(vec4 table[3], float e, float radius) {
+  float share = min(1.0, e / max(radius, 1e-9)), below = 0.0;
+  e *= 0.75;
   for (int k = 1; k < 12; ++k) {
     float above = 3e-4 * float(1 << k);
     if (e < above) {
       float low = table[(k - 1) / 4][(k - 1) % 4], high = table[k / 4][k % 4];
-      return low + (high - low) * (e - below) / (above - below);
+      return 1.0 + share * (low + (high - low) * (e - below) / (above - below));
     }
     below = above;
   }
-  return table[2].w;
+  return 1.0 + share * table[2].w;
 }
+
+// Ends before the rings at the collar's end are left out.
+float collarShown(float seen) { return smoothstep(0.0, 1.0, seen / 6.0 - 1.0); }
 
 void main() {
   Tree tree = trees[gl_GlobalInvocationID.y];
@@ -34,12 +38,15 @@ void main() {
   result.level = smoothLevel(ring.place.w, d, radialLevel(ring.place.w, d2));
   float sides = 3.0 * exp2(ceil(result.level) - slide(result.level));
   float turn = 3.14159265 / sides;
-  result.place = vec4(position, ring.place.w * turn / sin(turn) * widening(tree.widening, d / camera.w));
+  result.place = vec4(position, ring.place.w * turn / sin(turn) * widening(tree.widening, d / camera.w, ring.place.w));
   result.along = vec4(turned(bone, ring.along.xyz), ring.along.w);
   result.across = vec4(turned(bone, ring.across.xyz), ring.across.w);
-  result.outwards = vec4(turned(bone, ring.outwards.xyz), ring.outwards.w);
+  float shown = ring.reach > 0.0 ? collarShown(ring.place.w / ring.reach * camera.w / d) : 0.0;
+  result.outwards = vec4(turned(bone, ring.outwards.xyz), ring.outwards.w + (1.0 - shown) * (1.0 + abs(ring.reach)));
   result.reach = ring.reach;
   result.link = (tree.firstLink + ring.link) | (tree.layer << 24u);
-  result.tint = ring.tint;
+  vec4 tint = unpackUnorm4x8(ring.tint);
+  tint.rgb *= 1.0 - 0.35 * ring.collar * shown;
+  result.tint = packUnorm4x8(tint);
   skinned[tree.firstSkinned + index] = result;
 }

@@ -18,6 +18,19 @@ struct Corner {
   uint link, tint;
 };
 
+#ifdef WATCHED
+// A polygon of few sides stands for a circle: what of its sides lies behind the silhouette gets the normal of the circle
+// in front of it, mirrored in the plane that holds the axis and the silhouette. Else a twig of three sides would turn
+// its light twice too fast and show dark edges.
+vec3 seenNormal(vec3 radial, vec3 centre, vec3 tangent) {
+  vec3 sight = centre - eye.xyz;
+  vec3 away = sight - tangent * dot(sight, tangent);
+  float square = dot(away, away), behind = max(dot(radial, away), 0.0);
+  float share = smoothstep(0.02, 0.15, square / max(dot(sight, sight), 1e-12));  // along the axis there is no front
+  return radial - away * (2.0 * share * behind / max(square, 1e-12));
+}
+#endif
+
 Corner cornerOf(SkinnedRing ring) {
   uint sides = uint(ceil(ring.level));
   uint around = cell.y >> (cell.w - min(sides, cell.w));
@@ -34,7 +47,11 @@ Corner cornerOf(SkinnedRing ring) {
   if (ring.reach < 0.0) radius *= 1.0 - ring.reach * cos(5.0 * angle + 0.7);
   precise vec3 position = ring.place.xyz + radial * radius;
   corner.position = position;
-  corner.normal = normalize(radial - ring.along.xyz * ring.across.w);
+  vec3 facing = radial;
+#ifdef WATCHED
+  facing = seenNormal(radial, ring.place.xyz, ring.along.xyz);
+#endif
+  corner.normal = normalize(facing - ring.along.xyz * ring.across.w);
   // Towards the parent's surface at a collar, by the distance from it (4.1).
   float height = ring.outwards.w + max(ring.reach, 0.0) * dot(radial, ring.outwards.xyz);
   float blend = 1.0 - clamp(height, 0.0, 1.0);

@@ -31,7 +31,21 @@ vec3 aged(vec3 albedo, vec4 field, float sharp, uint layer) {
 
 void main() {
   vec4 texel = texture(leafMaps, layerUv);
-  float alpha = sharpened(texel.a);
+  // Where a few texels are all that is left of a leaf, their alpha is the share of the pixel that it covers; a limit at
+  // one half would let narrow leaves vanish and broad ones fill their picture.
+  float blur = blurred(textureQueryLod(leafMaps, layerUv.xy).x, textureQueryLevels(leafMaps));
+  float alpha = mix(sharpened(texel.a), texel.a, blur);
+  gl_SampleMask[0] = -1;
+  if (blur > 0.0) {
+    // Devices round alpha to samples each in its own way; here by a threshold of the pixel and the leaf, so that
+    // the mean is right and leaves behind one another do not fail at the same pixels.
+    float noise = fract(gradientNoise(gl_FragCoord.xy) + 43.7 * ageAndTint.w);
+    uint samples = uint(4.0 * alpha + noise), turn = uint(4.0 * fract(7.0 * noise));
+    uint mask = (1u << samples) - 1u;
+    gl_SampleMask[0] = int(((mask << turn) | (mask >> (4u - turn))) & 15u);
+    if (samples == 0u) discard;
+    alpha = 1.0;
+  }
   if (alpha <= 0.0) discard;
   uint layer = uint(layerUv.z + 0.5);
   vec3 albedo = texel.rgb / max(texel.a, 1e-3);

@@ -3,16 +3,12 @@
 layout(location = 0) in vec2 place;      // leaf lengths from the petiole's end
 layout(location = 1) in vec2 ribAndLevel;
 layout(location = 2) in vec2 corner;     // shares of the picture
-layout(location = 3) in uint leafIndex;
+layout(location = 3) in uint listed;
 layout(location = 1) uniform float season;
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-uint leafBits(uint value) {
-  uint state = value * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
+uint leafIndex = listed & ((1u << kIndexBits) - 1u);
 
 struct LeafPoint {
   vec3 position, normal, tangent;
@@ -60,7 +56,9 @@ LeafPoint leafPoint() {
   float wave = (0.006 + 0.03 * dry) * outer * outer * sin(21.0 * place.y + 2.0 * side + 6.0 * own);
   vec3 local = middle + vec3(side * across, 0.0, 0.0) + outwards * (up + wave);
   float tilt = side * (slope - fold * max(0.0, 1.0 - far / (0.12 * halfWidth + 1e-4)));
-  point.position = leaf.placeAndSize.xyz + turned(leaf.rotation, local * leaf.placeAndSize.w);
+  // Those that are left stand for those that were left out.
+  float size = leaf.placeAndSize.w * float(listed >> kIndexBits) * (kLargestScale / float(kScaleSteps));
+  point.position = leaf.placeAndSize.xyz + turned(leaf.rotation, local * size);
   point.normal = turned(leaf.rotation, outwards * cos(tilt) - vec3(sin(tilt), 0.0, 0.0));
   point.tangent = turned(leaf.rotation, outwards * sin(tilt) + vec3(cos(tilt), 0.0, 0.0));
   return point;

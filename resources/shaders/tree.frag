@@ -1,13 +1,13 @@
 #include "frame.glsl"
 #include "surface.glsl"
 layout(location = 0) in vec3 worldPosition;
-layout(location = 1) in vec3 worldNormal;
+layout(location = 1) centroid in vec3 worldNormal;
 layout(location = 2) in vec2 textureUv;
 layout(location = 3) in vec3 restPosition;
 layout(location = 4) in vec3 restNormal;
 layout(location = 5) in float highlight;
-layout(location = 6) in vec3 around;
-layout(location = 7) in vec3 behind;
+layout(location = 6) centroid in vec3 around;
+layout(location = 7) centroid in vec3 behind;
 layout(location = 8) in vec4 air;
 layout(location = 9) in float barkRepeats;
 layout(location = 10) in vec4 barkTint;

@@ -12,13 +12,13 @@ layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; }
 layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };  // one alone: none
 
 layout(location = 0) out vec3 worldPosition;
-layout(location = 1) out vec3 worldNormal;
+layout(location = 1) centroid out vec3 worldNormal;
 layout(location = 2) out vec2 textureUv;
 layout(location = 3) out vec3 restPosition;
 layout(location = 4) out vec3 restNormal;
 layout(location = 5) out float highlight;
-layout(location = 6) out vec3 around;  // diffuse light on the side of the normal, and on the other
-layout(location = 7) out vec3 behind;
+layout(location = 6) centroid out vec3 around;  // diffuse light on the side of the normal, and on the other
+layout(location = 7) centroid out vec3 behind;
 layout(location = 8) out vec4 air;
 layout(location = 9) out float barkRepeats;
 layout(location = 10) out vec4 barkTint;

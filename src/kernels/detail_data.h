@@ -23,12 +23,12 @@ struct DetailRing {
   vec3 tangent{0, 1, 0};
   float v = 0;  ///< bark coordinate along
   vec3 normal{1, 0, 0};
-  float slope = 0;   ///< change of the radius along the axis
-  vec3 outwards{0};  ///< unit, away from the parent's axis; zero where no collar blends (4.1)
-  float gap = 1;     ///< distance of the centre from the parent's surface, in lengths of the collar
-  float reach = 0;   ///< radius in lengths of the collar; negative: height of root lobes, share of the radius
-  float pad = 0;
-  std::uint32_t link = 0;            ///< that moves it, of its tree
+  float slope = 0;         ///< change of the radius along the axis
+  vec3 outwards{0};        ///< unit, away from the parent's axis; zero where no collar blends (4.1)
+  float gap = 1;           ///< distance of the centre from the parent's surface, in lengths of the collar
+  float reach = 0;         ///< radius in lengths of the collar; negative: height of root lobes, share of the radius
+  float collar = 0;        ///< 0..1: how near the junction, for occlusion
+  std::uint32_t link = 0;  ///< that moves it, of its tree
   std::uint32_t tint = 0xffffffffu;  ///< RGBA, 8 bits each, red lowest; alpha: how much is wood
 };
 static_assert(sizeof(DetailRing) == 80);
@@ -56,7 +56,8 @@ struct DetailMesh {
   std::vector<DetailRing> rings;
   std::vector<DetailEntry> entries;  ///< chain by chain
   std::vector<DetailChain> chains;
-  /// Factors on the radius that make up for what is left out at each level's tolerance (6.4).
+  /// Make up for what is left out at each level's tolerance e (6.4): a radius r grows by this share times min(1, e/r),
+  /// since what lost most is what is thin.
   std::array<float, kDetailLevels> widening{};
   std::uint32_t links = 0;  ///< links that rings name are below this
 };

@@ -95,15 +95,35 @@ inline float outlineFactor(float sides) {
   return half / std::sin(half);
 }
 
-/// Factor on the radius for what a tolerance of `e` metres leaves out.
-inline float widening(const std::array<float, kDetailLevels>& table, float e) {
+/// Factor on a radius for what a tolerance of `e` metres leaves out. A level is drawn from its own tolerance up to the
+/// next one: the table counts at the middle between.
+inline float widening(const std::array<float, kDetailLevels>& table, float e, float radius) {
+  const float share = std::min(1.0f, e / std::max(radius, 1e-9f));
   float below = 0;
+  e *= 0.75f;
   for (std::uint32_t k = 1; k < kDetailLevels; ++k) {
     const float above = detailTolerance(k);
-    if (e < above) return table[k - 1] + (table[k] - table[k - 1]) * (e - below) / (above - below);
+    if (e < above) return 1 + share * (table[k - 1] + (table[k] - table[k - 1]) * (e - below) / (above - below));
     below = above;
   }
-  return table[kDetailLevels - 1];
+  return 1 + share * table[kDetailLevels - 1];
+}
+
+/// How much of a collar shows (0..1) where its length in px is `seen` times the tolerance: what blends a branch into
+/// its parent ends before the rings at the collar's end are left out, or it would smear over the whole run.
+inline float collarShown(float seen) {
+  const float t = std::clamp(seen / 6 - 1, 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+/// Less light in the notch of a junction; the share of wood stays.
+inline std::uint32_t shadedTint(std::uint32_t tint, float shade) {
+  std::uint32_t out = tint & 0xff000000u;
+  for (std::uint32_t shift = 0; shift < 24; shift += 8) {
+    const float channel = static_cast<float>((tint >> shift) & 255u) * (1 - 0.35f * shade);
+    out |= static_cast<std::uint32_t>(channel + 0.5f) << shift;
+  }
+  return out;
 }
 
 WINDFALL_HD bool outside(const DetailCamera& camera, vec3 centre, float radius) {
@@ -138,16 +158,17 @@ inline SkinnedRing skinRing(const DetailRing& ring, const mat4& bone, std::uint3
   const std::uint32_t level = detail::radialLevel(ring.radius, d2, camera.scale);
   out.level = detail::smoothLevel(ring.radius, d, camera.scale, level);
   const float sides = 3 * std::exp2(std::ceil(out.level) - detail::slide(out.level));
-  out.radius = ring.radius * detail::outlineFactor(sides) * detail::widening(table, d / camera.scale);
+  out.radius = ring.radius * detail::outlineFactor(sides) * detail::widening(table, d / camera.scale, ring.radius);
   out.tangent = detail::turned(bone, ring.tangent);
   out.v = ring.v;
   out.normal = detail::turned(bone, ring.normal);
   out.slope = ring.slope;
   out.outwards = detail::turned(bone, ring.outwards);
-  out.gap = ring.gap;
+  const float shown = ring.reach > 0 ? detail::collarShown(ring.radius / ring.reach * camera.scale / d) : 0;
+  out.gap = ring.gap + (1 - shown) * (1 + std::abs(ring.reach));
   out.reach = ring.reach;
   out.link = firstLink + ring.link;
-  out.tint = ring.tint;
+  out.tint = ring.collar > 0 ? detail::shadedTint(ring.tint, ring.collar * shown) : ring.tint;
   return out;
 }
 

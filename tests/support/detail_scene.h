@@ -62,8 +62,7 @@ inline DetailMesh wavyMesh(std::uint64_t seed = 1, std::uint32_t sides = 30) {
     add(vec3(0, height, 0), along, static_cast<float>(random.uniform(0.05, 1.2)),
         static_cast<float>(random.uniform(0.002, 0.03)), 9, c + 1);
   }
-  mesh.widening.fill(1);
-  mesh.widening[8] = 1.1f;
+  mesh.widening[8] = 0.1f;
   mesh.links = sides + 1;
   return mesh;
 }

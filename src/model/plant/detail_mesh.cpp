@@ -15,19 +15,12 @@ constexpr float kTipSeen = 0.5f;      ///< a tip is drawn where the tolerance is
 constexpr float kDomeSeen = 0.08f;    ///< and its dome
 constexpr float kKidChord = 0.1f;     ///< of the radius: a parent's chord may leave its curve by (4.1)
 constexpr float kTaper = 0.85f;       ///< radii at the ends of a piece near the camera (5)
+constexpr double kDroppedSeen = 0.7;  ///< share of dropped chains that nothing hides
+constexpr double kMostWidening = 1.5;
 constexpr float kForever = 1e30f;
 constexpr float kMostAxial = 3;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-std::uint32_t shaded(std::uint32_t tint, float shade) {
-  std::uint32_t out = tint & 0xff000000u;
-  for (std::uint32_t shift = 0; shift < 24; shift += 8) {
-    const float channel = static_cast<float>((tint >> shift) & 255u) * (1 - 0.35f * shade);
-    out |= static_cast<std::uint32_t>(std::lround(channel)) << shift;
-  }
-  return out;
-}
 
 class Builder {
  public:
@@ -49,7 +42,7 @@ class Builder {
   void build(std::size_t c);
   DetailRing ringOf(const Ring& from, std::size_t c, const Ring& before, const Ring& after) const;
   static void addTip(Part& part);
-  void addPiece(Part& part, const Ring* rings, std::uint32_t first, std::uint32_t last, bool tip) const;
+  void addPiece(Part& part, const RingChain& chain, std::uint32_t first, std::uint32_t last, bool tip) const;
   DetailEntry entryOf(const Part& part, const Ring* rings, std::uint32_t a, std::uint32_t b) const;
   void widen(DetailMesh& mesh) const;
 
@@ -76,7 +69,6 @@ DetailRing Builder::ringOf(const Ring& from, std::size_t c, const Ring& before, 
   }
   const std::int32_t own = from.own >= 0 ? from.own : from.segment;
   if (own >= 0 && !source_.tint.empty()) out.tint = source_.tint[at(own)];
-  out.tint = shaded(out.tint, from.collar);
   if (from.flare > 0) out.reach = -source_.lobes * from.flare;
   const Pivot& pivot = curves_[c].pivot;
   const RingChain& chain = set_.chains[c];
@@ -132,7 +124,8 @@ DetailEntry Builder::entryOf(const Part& part, const Ring* rings, std::uint32_t 
   return entry;
 }
 
-void Builder::addPiece(Part& part, const Ring* rings, std::uint32_t first, std::uint32_t last, bool tip) const {
+void Builder::addPiece(Part& part, const RingChain& chain, std::uint32_t first, std::uint32_t last, bool tip) const {
+  const Ring* rings = set_.rings.data() + chain.first;
   DetailChain piece;
   piece.firstEntry = static_cast<std::uint32_t>(part.entries.size());
   // Runs that stay the same over several levels are one entry.
@@ -141,7 +134,7 @@ void Builder::addPiece(Part& part, const Ring* rings, std::uint32_t first, std::
     if (k == 0) {
       for (std::uint32_t i = 0; i <= last - first; ++i) kept[0].push_back(i);
     } else {
-      kept[k] = keptRings(rings + first, last - first + 1, detailTolerance(k));
+      kept[k] = keptRings(rings + first, last - first + 1, detailTolerance(k), chain.collarLength / 6);
     }
   }
   for (std::uint32_t k = 0; k < kDetailLevels; ++k) {
@@ -190,17 +183,32 @@ void Builder::build(std::size_t c) {
   part.visible = std::max(chain.length - chain.exit, 0.0f) + part.rings.back().radius;
   const std::uint32_t runs = chain.count - 1, pieces = (runs + kPiece - 1) / kPiece;
   for (std::uint32_t p = 0; p < pieces; ++p) {
-    addPiece(part, rings, runs * p / pieces, runs * (p + 1) / pieces, p + 1 == pieces);
+    addPiece(part, chain, runs * p / pieces, runs * (p + 1) / pieces, p + 1 == pieces);
   }
 }
 
-/// The area that is dropped with chains shorter than a tolerance is given to the others; 0.3 of it, because twigs hide
-/// each other (6.4).
+/// What straight runs lose on the curves and radii that they stand for is given back to what is thin; of what is
+/// dropped with chains shorter than a tolerance a part, because twigs hide each other (6.4).
 void Builder::widen(DetailMesh& mesh) const {
-  for (std::uint32_t k = 0; k < kDetailLevels; ++k) {
-    double dropped = 0, kept = 0;
-    for (const Part& part : parts_) (part.visible <= detailTolerance(k) ? dropped : kept) += part.area;
-    mesh.widening[k] = kept > 0 ? static_cast<float>(std::min(1 + 0.3 * dropped / kept, 2.0)) : 2.0f;
+  for (std::uint32_t k = 1; k < kDetailLevels; ++k) {
+    const float e = detailTolerance(k);
+    double lost = 0, takes = 0;
+    for (const Part& part : parts_) {
+      if (part.rings.empty()) continue;
+      if (part.visible <= e) {
+        lost += kDroppedSeen * static_cast<double>(part.area);
+        continue;
+      }
+      lost += static_cast<double>(part.area);
+      for (const DetailEntry& entry : part.entries) {
+        if (entry.from > e || entry.to <= e) continue;
+        const DetailRing &a = part.rings[entry.ringA], &b = part.rings[entry.ringB];
+        const float width = a.radius + b.radius, area = glm::distance(a.position, b.position) * width;
+        lost -= static_cast<double>(area);
+        takes += static_cast<double>(area * std::min(1.0f, 2 * e / width));
+      }
+    }
+    mesh.widening[k] = takes > 0 ? static_cast<float>(std::clamp(lost / takes, 0.0, kMostWidening)) : 0;
   }
 }
 
@@ -241,6 +249,19 @@ DetailMesh makeDetail(const SkeletonGraph& graph, const Chains& chains, const st
   return Builder(graph, chains, curves, rings, source).run();
 }
 
+namespace {
+
+/// The table between its levels.
+float at(const std::array<float, kDetailLevels>& table, float e) {
+  for (std::uint32_t k = 1; k < kDetailLevels; ++k) {
+    const float below = detailTolerance(k - 1), above = detailTolerance(k);
+    if (e < above) return table[k - 1] + (table[k] - table[k - 1]) * (e - below) / (above - below);
+  }
+  return table[kDetailLevels - 1];
+}
+
+}  // namespace
+
 DetailMesh scaled(DetailMesh mesh, float scale) {
   for (DetailRing& ring : mesh.rings) ring.position *= scale, ring.radius *= scale;
   for (DetailEntry& entry : mesh.entries) {
@@ -250,7 +271,7 @@ DetailMesh scaled(DetailMesh mesh, float scale) {
   for (DetailChain& chain : mesh.chains) chain.radius *= scale;
   const auto table = mesh.widening;
   for (std::uint32_t k = 0; k < kDetailLevels; ++k) {
-    mesh.widening[k] = detail::widening(table, detailTolerance(k) / scale);
+    mesh.widening[k] = at(table, detailTolerance(k) / scale);
   }
   return mesh;
 }

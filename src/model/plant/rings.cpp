@@ -299,7 +299,7 @@ RingSet makeRings(const SkeletonGraph& graph, const Chains& chains, const std::v
   return Builder(graph, chains, curves, settings).run();
 }
 
-std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, float tolerance) {
+std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, float tolerance, float collar) {
   std::vector<std::uint32_t> kept;
   if (count == 0) return kept;
   std::vector<char> keep(count, 0);
@@ -318,7 +318,8 @@ std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, flo
       const float share =
           squared > 1e-20f ? std::clamp(glm::dot(ring.position - from.position, chord) / squared, 0.0f, 1.0f) : 0.0f;
       const float off = glm::length(ring.position - from.position - chord * share) +
-                        std::abs(ring.radius - from.radius - (to.radius - from.radius) * share);
+                        std::abs(ring.radius - from.radius - (to.radius - from.radius) * share) +
+                        collar * std::abs(ring.collar - from.collar - (to.collar - from.collar) * share);
       if (off > worst) worst = off, split = i;
     }
     if (split == 0) continue;

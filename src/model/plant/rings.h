@@ -60,8 +60,8 @@ RingSet makeRings(const SkeletonGraph& graph, const Chains& chains, const std::v
                   const RingSettings& settings = {});
 
 /// Rings of a chain that are kept at a tolerance in m (axis and radius together; Douglas and Peucker 1973; 6.4):
-/// positions in the chain, the first and last always among them.
-std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, float tolerance);
+/// positions in the chain, the first and last always among them. A wrong share of the collar counts `collar` m.
+std::vector<std::uint32_t> keptRings(const Ring* rings, std::uint32_t count, float tolerance, float collar = 0);
 
 /// The radius between two rings of one span: the curve's own, and what flare, seat and collar make of it at the rings.
 class RunningRadius {

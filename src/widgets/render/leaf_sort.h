@@ -15,6 +15,8 @@ struct LeafSight {
   mat4 viewProjection{1};
   vec3 eye{0};
   float pixelsPerRadian = 1000;
+  float thinBelow = 4;     ///< px of a leaf's length: of smaller ones a share is drawn, larger in turn
+  float budget = 200'000;  ///< leaves to be drawn at most, those of more than 20 px and in the air not counted
 };
 
 /// A part of the leaves that one storage block can hold.
@@ -29,16 +31,18 @@ class LeafSort {
   Status compile();
   /// Room for this many leaves; `commands` without instances.
   Status allocate(std::size_t leafCount, const std::vector<DrawCommand>& commands);
-  /// Fills the chunks' commands and lists from the leaves in `buffer` at `offset`. The layers' block must be bound.
+  /// Thins leaves that are small on the screen, so that the area that they cover stays; fills the chunks' commands and
+  /// lists from the leaves in `buffer` at `offset`. The layers' block must be bound.
   void run(GLuint buffer, GLintptr offset, const LeafSight& sight);
   const std::vector<LeafChunk>& chunks() const { return chunks_; }
 
  private:
   void bind(const LeafChunk& chunk) const;
 
-  Program count_, plan_, place_;
+  Program demand_, count_, plan_, place_;
   std::vector<LeafChunk> chunks_;
-  Buffer fresh_, cursors_, buckets_;
+  Buffer fresh_, cursors_, buckets_, wanted_;
+  std::size_t leaves_ = 0;
   GLsizeiptr commandBytes_ = 0, cursorBytes_ = 0;
 };
 

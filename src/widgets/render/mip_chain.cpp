@@ -8,6 +8,8 @@ namespace windfall::render {
 
 namespace {
 
+constexpr int kLeastShape = 8;  // texels; as blurred() in leaf_layers.glsl
+
 /// Linear, premultiplied.
 struct Image {
   int width = 0, height = 0;
@@ -169,7 +171,9 @@ std::vector<MipLevel> mipChain(const Picture& picture, int width, int height, bo
   const double wanted = coverage(levels.front());
   while (image.width > 1 || image.height > 1) {
     image = halved(image);
-    levels.push_back(encoded(image, keepCoverage ? coverageScale(image, wanted) : 1.f));
+    // Of a handful of texels a limit makes no shape: there the mean alpha is the share that is covered.
+    const bool shaped = std::min(image.width, image.height) >= kLeastShape;
+    levels.push_back(encoded(image, keepCoverage && shaped ? coverageScale(image, wanted) : 1.f));
   }
   return levels;
 }

@@ -25,6 +25,8 @@ namespace windfall::render {
 
 namespace {
 const vec3 kGroundAlbedo(0.13f, 0.10f, 0.035f);
+constexpr float kThinLive = 4, kThinKept = 2;  // px of a leaf's length
+constexpr float kLeaves = 200'000, kSoftwareLeaves = 25'000, kNoBudget = 1e9f;
 constexpr float kGrassHeight = 0.055f;                              // m
 constexpr int kGrassRings = 3, kGrassCells = 80, kGrassBlades = 5;  // as in grass.vert
 }  // namespace
@@ -287,8 +289,14 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   impl.bindFrame();
   if (const int slot = impl.ring.newest(); slot >= 0) {
     const float radians = 2 * glm::length(vec3(uniforms.up));
-    impl.leaves.sort(impl.ring.leaves(), impl.ring.leafOffset(slot),
-                     {uniforms.viewProjection, view.eye, static_cast<float>(view.height) / radians}, view.season);
+    const bool high = view.quality == Quality::High;
+    impl.leaves.sort(
+        impl.ring.leaves(), impl.ring.leafOffset(slot),
+        {uniforms.viewProjection, view.eye, static_cast<float>(view.height) / radians, high ? kThinKept : kThinLive,
+         high            ? kNoBudget
+         : impl.software ? kSoftwareLeaves
+                         : kLeaves},
+        view.season);
   }
   impl.chooseDetail(lit, fit);
   impl.drawShadows(lit, fit);
