@@ -26,7 +26,6 @@ namespace {
 struct BenchOptions {
   std::string filter, json, photos, method, pictures;
   int rounds = 7, pairs = 6;
-  float tolerance = 0.5f;
 };
 
 /// `json` without its last brace, and rows of another kind beside the times.
@@ -120,7 +119,6 @@ int bench(const BenchOptions& options) {
     widgets::DetailBenchOptions flightOptions;
     flightOptions.rounds = std::min(options.rounds, flightOptions.rounds);
     flightOptions.pictures = options.pictures;
-    flightOptions.tolerance = options.tolerance;
     Result<std::vector<widgets::DetailBenchRow>> flown = widgets::benchDetail(flightOptions, sayLine);
     if (!flown) return fail(QString(), flown.error());
     flight = std::move(*flown);
@@ -148,9 +146,6 @@ void declareBench(CLI::App& app, Action& action) {
   command->add_option("--method", options->method, "leaf.quality: only methods with this in their name");
   command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
       ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  command->add_option("--tolerance", options->tolerance, "plant.detail: px that the adaptive mesh may be off")
-      ->check(CLI::Range(0.05, 8.0))
       ->capture_default_str();
   command->add_option("--pictures", options->pictures, "plant.detail: keep its frames in this folder");
   command->add_option("--rounds", options->rounds, "Rounds that each contender runs")->check(CLI::Range(1, 1000));

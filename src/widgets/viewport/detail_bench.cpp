@@ -122,8 +122,7 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
     for (int round = 0; round <= options.rounds; ++round) {
       for (int frame = 0; frame < options.frames; ++frame) {
         const auto bones = scene.pose(static_cast<float>(frame) / 24);
-        render::View view = viewAt(path, frame, options.frames);
-        view.tolerance = options.tolerance;
+        const render::View view = viewAt(path, frame, options.frames);
         for (std::size_t m = 0; m < kMeshes.size(); ++m) {
           Runner& runner = runners[m];
           const bool adaptive = kMeshes[m] == BenchMesh::Adaptive;

@@ -15,8 +15,7 @@ struct DetailBenchOptions {
   int frames = 4;  ///< of each path
   int rounds = 3;  ///< each frame counts with its shortest time
   int plants = 50;
-  float tolerance = 0.5f;  ///< px that the adaptive mesh may be off
-  std::string pictures;    ///< folder for the frames; empty: none are kept
+  std::string pictures;  ///< folder for the frames; empty: none are kept
 };
 
 /// One mesh on one path.
