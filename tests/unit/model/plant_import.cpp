@@ -354,7 +354,10 @@ void PlantImportTest::sharedTreesHaveTheirTrueBones() {
   std::map<QString, const Bone*> byName;
   for (const Bone& bone : plant->bones) byName[bone.name] = &bone;
   int rows = 0;
-  for (const QByteArray& line : csv.readAll().split('\n')) {
+  const QList<QByteArray> lines = csv.readAll().split('\n');
+  std::map<QByteArray, int> children;
+  for (const QByteArray& line : lines) ++children[line.split(',').value(1)];
+  for (const QByteArray& line : lines) {
     const QList<QByteArray> cells = line.split(',');
     if (line.startsWith('#') || cells.size() < 9 || cells[0] == "bone") continue;
     const Bone* bone = byName[QString::fromUtf8(cells[0])];
@@ -363,7 +366,9 @@ void PlantImportTest::sharedTreesHaveTheirTrueBones() {
       return vec3(cells[at].toFloat(), cells[at + 2].toFloat(), -cells[at + 1].toFloat());
     };
     QVERIFY(near(bone->head, place(2), 1e-4f));
-    QVERIFY(near(bone->tail, place(5), 0.01f * cells[8].toFloat() + 1e-4f));
+    // Where several bones go on, or none, the file says nothing of a tail.
+    const float slack = children[cells[0]] == 1 ? 1e-4f : 0.01f * cells[8].toFloat() + 1e-4f;
+    QVERIFY2(near(bone->tail, place(5), slack), cells[0].constData());
     ++rows;
   }
   QCOMPARE(rows, bones);
