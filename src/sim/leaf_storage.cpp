@@ -20,6 +20,7 @@ float feltDecayOver(float seconds) { return expOf(-seconds / 0.3f); }
 
 /// Loose leaves where no tree can carry them, m.
 constexpr float kDefaultHeight = 10;
+constexpr float kMedianLeaf = 0.08f;  // length for which petioleStrength() holds, m
 
 }  // namespace
 
@@ -124,6 +125,8 @@ LeafStorage makeLeafStorage(const SceneDescription& scene) {
     a.siteTurn[i] = {site.rotation.x, site.rotation.y, site.rotation.z, site.rotation.w};
     a.siteX[i] = site.position.x, a.siteY[i] = site.position.y, a.siteZ[i] = site.position.z;
     a.size[i] = site.size;
+    // A petiole is as thick as its blade needs: strength goes with area, and large leaves tear off no sooner.
+    a.toughness[i] *= bladeArea(site.size) / bladeArea(kMedianLeaf);
     a.layer[i] = site.layer;
     ++perLink[place.link];
   }

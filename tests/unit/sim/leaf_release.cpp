@@ -60,6 +60,22 @@ TEST_CASE("late in the season calm keeps the leaves and gusts strip them") {
   CHECK(gale > 0.9);
 }
 
+TEST_CASE("large leaves tear off no sooner than small ones") {
+  const auto lostOfSize = [](float size) {
+    SceneDescription scene = leavesOnPole(2000, 0.8f);
+    auto tree = std::make_shared<Tree>(*scene.trees[0].tree);
+    for (LeafSite& site : tree->sites) site.size = size;
+    scene.trees[0].tree = tree;
+    LeafStage stage(scene);
+    stage.blow(vec3(5, 0, 0));
+    while (stage.time < 10) stage.step(1.0f / 60);
+    return 1 - stage.field.counts().attached / 2000.0;
+  };
+  const double small = lostOfSize(0.05f);
+  CHECK(small > 0.1);
+  CHECK(std::abs(lostOfSize(0.25f) - small) < 0.01);
+}
+
 TEST_CASE("how many come loose does not depend on the step's length") {
   const vec3 wind(7, 0, 0);
   CHECK(std::abs(lost(0.8f, wind, 6, 1.0f / 30) - lost(0.8f, wind, 6, 1.0f / 240)) < 0.035);
