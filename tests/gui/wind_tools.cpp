@@ -168,6 +168,7 @@ class WindToolsTest : public QObject {
     QVERIFY(glm::dot(glm::normalize(wind().fans.front().direction), glm::normalize(raised.direction)) < 0.999f);
     emit field<NumberField>("fan.strength")->edited(25, true);
     QCOMPARE(wind().fans.front().strength, 25.f);
+    QCoreApplication::processEvents();  // the fan's rows find their places
     window_->grab().save(test::outputFolder() + "/fan.png");
 
     QCOMPARE(document_->undoStack().count(), 5);
