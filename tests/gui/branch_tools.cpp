@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/plant_workspace.h"
@@ -14,20 +14,11 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class BranchToolsTest : public QObject {
+class BranchToolsTest : public QObject, test::WorkspaceStage<PlantWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<PlantWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
   const model::AssetId plant_{1};
 
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
-  Viewport& view() { return workspace_->viewport(); }
   const sim::Tree& tree() { return *workspace_->feed().assembly()->sim.trees.front().tree; }
   const model::Plant& plant() { return *document_->project().plant(plant_); }
   const FrameResult& last() { return workspace_->controller().last(); }
@@ -62,30 +53,11 @@ class BranchToolsTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<PlantWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    view().setMotionTime(0);
-    view().setQuality(render::Quality::Draft);
-    QVERIFY(window_->open({1000, 720}));
-  }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void initTestCase() { QVERIFY(open({1000, 720})); }
+  void cleanupTestCase() { close(); }
   void init() {
-    model::Project project;
-    model::Plant plant;
-    plant.id = plant_;
-    plant.name = "Sapling";
-    plant.grower = model::GrowerSettings{.height = 4, .baseRadius = 0.05, .limbs = 6, .levels = 2};
-    plant.leafDensity = 0.2;
-    project.plants = {plant};
-    project.nextId = 2;
+    model::Project project = test::saplings(0);
+    project.plants[0].leafDensity = 0.2;
     document_->open(project, {});
     QVERIFY(window_->settle());
     setWind(0);

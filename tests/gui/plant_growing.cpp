@@ -11,7 +11,7 @@
 #include <QtTest>
 
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/branch_panel.h"
@@ -24,19 +24,11 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class PlantGrowingTest : public QObject {
+class PlantGrowingTest : public QObject, test::WorkspaceStage<PlantWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<PlantWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
   QTemporaryDir parts_;
 
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
   const model::Plant& plant() { return *document_->project().plant(workspace_->plant()); }
   std::size_t links() { return workspace_->feed().capsules().size(); }
 
@@ -88,21 +80,10 @@ class PlantGrowingTest : public QObject {
 
  private slots:
   void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<PlantWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    workspace_->viewport().setMotionTime(0);
-    workspace_->viewport().setQuality(render::Quality::Draft);
+    QVERIFY(open());
     workspace_->shaping().setPartFolder(parts_.path());
-    QVERIFY(window_->open());
   }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void cleanupTestCase() { close(); }
   void init() {
     document_->open({}, {});
     QVERIFY(window_->settle());

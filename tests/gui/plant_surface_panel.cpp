@@ -6,7 +6,7 @@
 #include "model/plant/prim_format.h"
 #include "support/skeleton_data.h"
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/data_legend.h"
@@ -17,19 +17,11 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class PlantSurfacePanelTest : public QObject {
+class PlantSurfacePanelTest : public QObject, test::WorkspaceStage<PlantWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<PlantWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
   QTemporaryDir folder_;
 
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
   const model::Plant& plant() { return document_->project().plants.front(); }
   std::size_t branches() { return workspace_->feed().assembly()->plants.at(plant().id).bodies->branches.size(); }
   QString fork(const QString& name, float water) {
@@ -58,23 +50,12 @@ class PlantSurfacePanelTest : public QObject {
 
  private slots:
   void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<PlantWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    workspace_->viewport().setMotionTime(0);
-    workspace_->viewport().setQuality(render::Quality::Draft);
-    QVERIFY(window_->open());
+    QVERIFY(open());
     QVERIFY(workspace_->openFile(fork("fork.prim", 1)));
     QVERIFY(QTest::qWaitFor([this] { return document_->project().plants.size() == 1; }, 10'000));
     QVERIFY(window_->settle());
   }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void cleanupTestCase() { close(); }
 
   void branchesFollowTheRule() {
     const auto trunk = [this] {

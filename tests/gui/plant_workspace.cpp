@@ -8,7 +8,7 @@
 
 #include "support/gltf_fixture.h"
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/plant/motion_plot.h"
@@ -16,19 +16,10 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class PlantWorkspaceTest : public QObject {
+class PlantWorkspaceTest : public QObject, test::WorkspaceStage<PlantWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<PlantWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
   const model::AssetId plant_{1};
-
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
 
   /// Where the middle of a link stands on the screen, at rest.
   QPoint screenPlace(std::size_t link) {
@@ -60,32 +51,12 @@ class PlantWorkspaceTest : public QObject {
   const std::map<QString, model::LinkAttributes>& edits() { return document_->project().plant(plant_)->edits; }
 
  private slots:
-  void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<PlantWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    workspace_->viewport().setMotionTime(0);
-    workspace_->viewport().setQuality(render::Quality::Draft);
-    QVERIFY(window_->open());
-    QVERIFY2(workspace_->viewport().problem().isEmpty(), qPrintable(workspace_->viewport().problem()));
-  }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void initTestCase() { QVERIFY(open()); }
+  void cleanupTestCase() { close(); }
 
   void init() {
-    model::Project project;
-    model::Plant plant;
-    plant.id = plant_;
-    plant.name = "Sapling";
-    plant.grower = model::GrowerSettings{.height = 4, .baseRadius = 0.05, .limbs = 6, .levels = 2};
-    project.plants = {plant};
+    model::Project project = test::saplings(0);
     project.scene.leaves.count = 40;
-    project.nextId = 2;
     field<QLineEdit>("branch.search")->clear();
     document_->open(project, {});
     QVERIFY(window_->settle());

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/dial_field.h"
 #include "widgets/fields/number_field.h"
@@ -16,28 +16,14 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class SceneWorkspaceTest : public QObject {
+class SceneWorkspaceTest : public QObject, test::WorkspaceStage<SceneWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<SceneWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
   const std::vector<model::AssetId> trees_{{2}, {3}};
 
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
   const sim::Statistics& statistics() { return workspace_->controller().last().statistics; }
   const model::Scene& scene() { return document_->project().scene; }
 
-  std::vector<mat4> pose() {
-    std::vector<mat4> taken;
-    workspace_->controller().requestPose([&](const std::vector<mat4>& now) { taken = now; });
-    if (!QTest::qWaitFor([&] { return !taken.empty(); })) return {};
-    return taken;
-  }
   static float largestMove(const std::vector<mat4>& a, const std::vector<mat4>& b) {
     float largest = 0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -59,41 +45,11 @@ class SceneWorkspaceTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<SceneWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    workspace_->viewport().setMotionTime(0);
-    workspace_->viewport().setQuality(render::Quality::Draft);
-    QVERIFY(window_->open());
-    QVERIFY2(workspace_->viewport().problem().isEmpty(), qPrintable(workspace_->viewport().problem()));
-  }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void initTestCase() { QVERIFY(open()); }
+  void cleanupTestCase() { close(); }
 
   void init() {
-    model::Project project;
-    model::Plant plant;
-    plant.id = {1};
-    plant.name = "Sapling";
-    plant.grower = model::GrowerSettings{.height = 4, .baseRadius = 0.05, .limbs = 6, .levels = 2};
-    project.plants = {plant};
-    for (const quint64 id : {2u, 3u}) {
-      model::TreePlacement tree;
-      tree.id = {id};
-      tree.plant = plant.id;
-      tree.position = {id == 2 ? -2.f : 2.f, 0, 0};
-      project.scene.trees.push_back(tree);
-    }
-    project.scene.leaves.count = 60;
-    project.scene.wind.speed = 10;
-    project.nextId = 4;
-    document_->open(project, {});
+    document_->open(test::saplings(2), {});
     QVERIFY(window_->settle());
   }
 

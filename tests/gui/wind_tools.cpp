@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "support/suite.h"
-#include "support/workspace_window.h"
+#include "support/workspace_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/scene/scene_workspace.h"
@@ -14,73 +14,19 @@
 using namespace windfall;
 using namespace windfall::widgets;
 
-class WindToolsTest : public QObject {
+class WindToolsTest : public QObject, test::WorkspaceStage<SceneWorkspace> {
   Q_OBJECT
 
-  std::unique_ptr<model::Document> document_;
-  std::unique_ptr<model::JobRunner> jobs_;
-  std::unique_ptr<SceneWorkspace> workspace_;
-  std::unique_ptr<test::WorkspaceWindow> window_;
-
-  template <class F>
-  F* field(const char* name) {
-    return window_->findChild<F*>(name);
-  }
   const sim::WindSettings& wind() { return document_->project().scene.wind; }
   const sim::Statistics& statistics() { return workspace_->controller().last().statistics; }
   QPoint onScreen(vec3 place) {
     return workspace_->viewport().camera().project(place, workspace_->viewport().size())->toPoint();
   }
-  void drag(QWidget* on, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mousePress(on, Qt::LeftButton, modifiers, from);
-    for (int i = 1; i <= 4; ++i) {
-      const QPoint at = from + (to - from) * i / 4;
-      QMouseEvent move(QEvent::MouseMove, at, on->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
-      QApplication::sendEvent(on, &move);
-    }
-    QTest::mouseRelease(on, Qt::LeftButton, modifiers, to);
-  }
-  std::vector<mat4> pose() {
-    std::vector<mat4> taken;
-    workspace_->controller().requestPose([&](const std::vector<mat4>& now) { taken = now; });
-    if (!QTest::qWaitFor([&] { return !taken.empty(); })) return {};
-    return taken;
-  }
-
  private slots:
-  void initTestCase() {
-    document_ = std::make_unique<model::Document>();
-    jobs_ = std::make_unique<model::JobRunner>();
-    workspace_ = std::make_unique<SceneWorkspace>(WorkspaceContext{*document_, *jobs_});
-    window_ = std::make_unique<test::WorkspaceWindow>(*workspace_);
-    workspace_->viewport().setMotionTime(0);
-    workspace_->viewport().setQuality(render::Quality::Draft);
-    QVERIFY(window_->open({1000, 720}));
-  }
-  void cleanupTestCase() {
-    window_.reset();
-    workspace_.reset();
-    jobs_.reset();
-    document_.reset();
-  }
+  void initTestCase() { QVERIFY(open({1000, 720})); }
+  void cleanupTestCase() { close(); }
   void init() {
-    model::Project project;
-    model::Plant plant;
-    plant.id = {1};
-    plant.name = "Sapling";
-    plant.grower = model::GrowerSettings{.height = 4, .baseRadius = 0.05, .limbs = 6, .levels = 2};
-    project.plants = {plant};
-    for (const quint64 id : {2u, 3u}) {
-      model::TreePlacement tree;
-      tree.id = {id};
-      tree.plant = plant.id;
-      tree.position = {id == 2 ? -2.f : 2.f, 0, 0};
-      project.scene.trees.push_back(tree);
-    }
-    project.scene.leaves.count = 60;
-    project.scene.wind.speed = 10;
-    project.nextId = 4;
-    document_->open(project, {});
+    document_->open(test::saplings(2), {});
     QVERIFY(window_->settle());
   }
 
