@@ -63,7 +63,9 @@ std::vector<Tissue> extractVeins(const QImage& photo, std::vector<Tissue> types,
   cv::Mat1b leaf;
   cv::resize(leafFull, leaf, lab.size(), 0, 0, cv::INTER_AREA);
   leaf = leaf > 127;
-  const cv::Mat1f ridge = veinRidges(lab, leaf).strength;
+  VeinRidges ridges = veinRidges(lab, leaf);
+  dropMarginEdges(ridges, leaf);
+  const cv::Mat1f& ridge = ridges.strength;
   cv::Mat1f cost(ridge.size());
   for (int y = 0; y < cost.rows; ++y) {
     for (int x = 0; x < cost.cols; ++x) cost(y, x) = 1 / (0.04f + std::min(1.f, ridge(y, x)));

@@ -49,26 +49,6 @@ float quantile(const cv::Mat1f& field, const cv::Mat1b& where, double share) {
   return *place;
 }
 
-/// The light that comes round a margin, or a cut's, looks like a ridge that runs along it: such ridges go. Veins meet
-/// the margin at an angle.
-void dropMarginEdges(VeinRidges& ridges, const cv::Mat1f& depth) {
-  constexpr float kReach = 14, kAlong = 0.9f;  // px; cosine of the angle between ridge and margin
-  cv::Mat1f smooth, dx, dy;
-  cv::GaussianBlur(depth, smooth, {}, 2);
-  cv::Sobel(smooth, dx, CV_32F, 1, 0, 3);
-  cv::Sobel(smooth, dy, CV_32F, 0, 1, 3);
-  for (int y = 0; y < depth.rows; ++y) {
-    for (int x = 0; x < depth.cols; ++x) {
-      if (depth(y, x) <= 0 || depth(y, x) > kReach || ridges.strength(y, x) <= 0) continue;
-      const float slope = std::hypot(dx(y, x), dy(y, x));
-      // In the middle of a narrow part there is no one margin: a petiole's vein stays.
-      if (slope < 4) continue;
-      const float along = std::abs(std::cos(ridges.angle(y, x)) * dy(y, x) - std::sin(ridges.angle(y, x)) * dx(y, x));
-      if (along > kAlong * slope) ridges.strength(y, x) = 0;
-    }
-  }
-}
-
 }  // namespace
 
 VeinRidges veinRidges(const cv::Mat3f& lab, const cv::Mat1b& leaf) {
@@ -93,8 +73,26 @@ VeinRidges veinRidges(const cv::Mat3f& lab, const cv::Mat1b& leaf) {
   result.contrast = brightTop >= 0.8f * darkTop ? brightTop : darkTop;
   result.strength /= std::max(1e-4f, result.contrast);
   result.strength.setTo(0, ~inner);
-  dropMarginEdges(result, depth);
   return result;
+}
+
+void dropMarginEdges(VeinRidges& ridges, const cv::Mat1b& leaf) {
+  constexpr float kReach = 14, kAlong = 0.9f;  // px; cosine of the angle between ridge and margin
+  cv::Mat1f depth, smooth, dx, dy;
+  cv::distanceTransform(leaf, depth, cv::DIST_L2, 3);
+  cv::GaussianBlur(depth, smooth, {}, 2);
+  cv::Sobel(smooth, dx, CV_32F, 1, 0, 3);
+  cv::Sobel(smooth, dy, CV_32F, 0, 1, 3);
+  for (int y = 0; y < depth.rows; ++y) {
+    for (int x = 0; x < depth.cols; ++x) {
+      if (depth(y, x) <= 0 || depth(y, x) > kReach || ridges.strength(y, x) <= 0) continue;
+      const float slope = std::hypot(dx(y, x), dy(y, x));
+      // In the middle of a narrow part there is no one margin: a petiole's vein stays.
+      if (slope < 4) continue;
+      const float along = std::abs(std::cos(ridges.angle(y, x)) * dy(y, x) - std::sin(ridges.angle(y, x)) * dx(y, x));
+      if (along > kAlong * slope) ridges.strength(y, x) = 0;
+    }
+  }
 }
 
 }  // namespace windfall::model

@@ -14,4 +14,8 @@ struct VeinRidges {
 /// Of a Lab picture about 512 px large; bright veins or dark ones, whichever stand out. `leaf`: 255 on the blade.
 VeinRidges veinRidges(const cv::Mat3f& lab, const cv::Mat1b& leaf);
 
+/// The light that comes round a margin, or a cut's, looks like a ridge that runs along it: such ridges go. Veins meet
+/// the margin at an angle. Not for finding where the veins meet: beside a deep sinus they run along it.
+void dropMarginEdges(VeinRidges& ridges, const cv::Mat1b& leaf);
+
 }  // namespace windfall::model
