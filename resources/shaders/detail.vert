@@ -3,7 +3,7 @@
 #include "detail_vertex.glsl"
 layout(std430, binding = 1) readonly buffer Highlights { uint highlightBits[]; };
 layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };
-layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };  // colour and width of the tile, look
+layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };  // colour and width of the tile, look, twigs
 invariant gl_Position;
 
 layout(location = 0) out vec3 worldPosition;
@@ -19,6 +19,7 @@ layout(location = 9) out float barkRepeats;
 layout(location = 10) out vec4 barkTint;
 layout(location = 11) out vec4 dataColor;
 layout(location = 12) flat out uint layer;
+layout(location = 13) out float twig;
 
 void main() {
   Corner at = corner();
@@ -34,8 +35,11 @@ void main() {
   dataColor = linkColors.length() > 1 ? unpackUnorm4x8(linkColors[link]) : vec4(0.0);
   barkTint = unpackUnorm4x8(at.tint);
   // Green stems have finer bark.
-  float tile = barks[2u * layer].w * (1.0 + 2.0 * barkTint.a) / 3.0;
+  float tile = barks[3u * layer].w * (1.0 + 2.0 * barkTint.a) / 3.0;
   barkRepeats = tile > 0.0 ? max(0.0, log2(6.28318531 * at.radius / tile)) : 0.0;
+  // Thinner than this there is no bark.
+  float thin = barks[3u * layer + 2u].w;
+  twig = thin > 0.0 ? 1.0 - smoothstep(0.9 * thin, 1.1 * thin, at.radius) : 0.0;
   float open = canopyOpenness(worldPosition, worldNormal) * mix(0.55, 1.0, smoothstep(0.0, 0.9, worldPosition.y));
   around = ambientLight(worldNormal) * open;
   behind = around;

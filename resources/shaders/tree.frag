@@ -16,10 +16,12 @@ layout(location = 0) out vec4 color;
 #ifdef LAYERED
 // Many plants in one draw call: a layer each.
 layout(location = 12) flat in uint layer;
+layout(location = 13) in float twig;
 layout(binding = 3) uniform sampler2DArray pictures;
 layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };
-#define baseColor barks[2u * layer]
-#define look barks[2u * layer + 1u]
+#define baseColor barks[3u * layer]
+#define look barks[3u * layer + 1u]
+#define twigColor (barks[3u * layer + 2u].rgb)
 #define PICTURE(uv) pictures, vec3(uv, float(layer))
 #else
 layout(binding = 3) uniform sampler2D picture;
@@ -77,6 +79,10 @@ void main() {
   // Where there is no wood yet, a green skin with what is left of the bark's grain.
   float grain = dot(texel.rgb, vec3(0.33));
   albedo = mix(vec3(0.13, 0.20, 0.045) * (0.7 + 0.9 * grain), albedo, barkTint.a) * barkTint.rgb;
+#ifdef LAYERED
+  // As light as barkRelief leaves it on a mean.
+  albedo = mix(albedo, twigColor * 0.65, twig);
+#endif
   // Data instead of bark: the colours of the legend, with a hint of the relief.
   if (dataColor.a > 0.0) {
     albedo = mix(albedo, pow(max(dataColor.rgb, vec3(0.0)), vec3(2.2)) * (0.75 + 0.5 * grain), min(dataColor.a, 1.0));

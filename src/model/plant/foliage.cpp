@@ -136,7 +136,11 @@ void detectFoliage(PlantGeometry& geometry) {
   for (const MeshPart& part : geometry.parts) bark = bark || !geometry.materials[at(part.material)].leaf;
   if (geometry.parts.size() < 2 || !bark) return;
   std::vector<char> small(geometry.parts.size());
-  for (std::size_t i = 0; i < geometry.parts.size(); ++i) small[i] = fallsApart(geometry, geometry.parts[i]);
+  for (std::size_t i = 0; i < geometry.parts.size(); ++i) {
+    // Stalks of short shoots in what Windfall wrote are small pieces too.
+    const bool stalks = geometry.materials[at(geometry.parts[i].material)].name == QLatin1String("stalk");
+    small[i] = !stalks && fallsApart(geometry, geometry.parts[i]);
+  }
   if (std::all_of(small.begin(), small.end(), [](char s) { return s != 0; })) return;
   for (std::size_t i = 0; i < geometry.parts.size(); ++i) {
     Material& material = geometry.materials[at(geometry.parts[i].material)];

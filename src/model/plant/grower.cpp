@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/plant/grow/species_bark.h"
 #include "model/plant/grower_private.h"
 #include "model/plant/links_private.h"
 
@@ -56,14 +57,21 @@ Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress) {
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
   grower::buildBark(axes, geometry);
+  const auto wood = static_cast<std::uint32_t>(geometry.indices.size());
   grower::placeLeaves(axes, naturalLeafArea(geometry.bones, findBranches(geometry.bones)), settings.seed, geometry);
   Material bark;
   bark.name = QStringLiteral("bark");
   bark.baseColor = vec4(1);
   bark.texture = grower::barkTexture(settings.seed);
   bark.roughness = 0.9f;
-  geometry.materials.push_back(bark);
-  geometry.parts.push_back({0, static_cast<std::uint32_t>(geometry.indices.size()), 0, false});
+  // Stalks of short shoots are no part of the skeleton.
+  Material stalk;
+  stalk.name = QStringLiteral("stalk");
+  stalk.baseColor = growth::twigLook(BarkLook::Plain).colour;
+  geometry.materials = {bark, stalk};
+  geometry.parts.push_back({0, wood, 0, false});
+  const auto all = static_cast<std::uint32_t>(geometry.indices.size());
+  if (all > wood) geometry.parts.push_back({wood, all - wood, 1, false});
   progress.report(1);
   return geometry;
 }

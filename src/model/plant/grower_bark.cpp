@@ -35,12 +35,16 @@ SkeletonGraph graphOf(const std::vector<Axis>& axes) {
 
 }  // namespace
 
-void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface) {
+void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface, float barkFrom) {
   RingSettings rings = ringSettings(surface);
   rings.textureAspect = kTileAspect;
   MeshSettings mesh = meshSettings(surface);
   mesh.tile = kTileWidth * mesh.tile / static_cast<float>(SurfaceSettings().tile);
-  const std::shared_ptr<const PlantSkeleton> skeleton = makeSkeleton(graphOf(axes), surface, rings);
+  mesh.barkFrom = barkFrom;
+  // The adaptive mesh takes its tile from here.
+  SurfaceSettings own = surface;
+  own.tile = static_cast<double>(mesh.tile);
+  const std::shared_ptr<const PlantSkeleton> skeleton = makeSkeleton(graphOf(axes), own, rings);
   addSurface(*skeleton, mesh, geometry);
   continueBones(*skeleton, geometry.bones);
   geometry.skeleton = skeleton;

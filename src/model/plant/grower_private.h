@@ -34,8 +34,10 @@ vec3 curvePoint(const Axis& axis, std::size_t link, float share);
 /// Its unit tangent there.
 vec3 curveTangent(const Axis& axis, std::size_t link, float share);
 
-/// The surface of the axes (skeleton_geometry.h), bound to bones that stand already; its scale must be 1.
-void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface = {});
+/// The surface of the axes (skeleton_geometry.h), bound to bones that stand already; its scale must be 1. Stems thinner
+/// than `barkFrom` (m) are drawn without a picture.
+void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface = {},
+               float barkFrom = 0);
 
 /// Short shoots on the outer axes and the leaves on them; `area` is the one-sided area wanted, m2.
 void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, PlantGeometry& geometry);

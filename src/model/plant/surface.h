@@ -11,6 +11,7 @@ struct MeshSettings {
   bool merge = true;         ///< leaves out rings that the tolerance does not need
   bool widthFactor = true;   ///< widens rings of few sides to the outline of a circle (3.3)
   bool evenBark = true;      ///< splits where the radius changes, so that bark is stretched by less than 10 %
+  float barkFrom = 0;        ///< m; stems thinner than this show no picture that could be stretched
   bool seats = true;         ///< follows a curve closely where chains leave it, so that their seats stay inside
   bool dome = true;          ///< rounded tips; else a vertex alone
   bool capBases = true;      ///< closes each chain where it starts, inside its parent or under the ground

@@ -38,7 +38,7 @@ std::uint32_t piecesBetween(const Ring& a, const Ring& b, bool onCurve, float ex
     if (settings.seats && a.kids > 0) pieces = std::max(pieces, std::sqrt(sag / (0.1f * std::min(a.radius, b.radius))));
     pieces = std::clamp(std::ceil(pieces), 1.0f, kMostPieces);
   }
-  if (settings.evenBark && b.along > exit) {
+  if (settings.evenBark && b.along > exit && std::max(a.radius, b.radius) >= settings.barkFrom) {
     const float change =
         std::abs(std::log(std::max(a.radius, settings.tolerance) / std::max(b.radius, settings.tolerance)));
     pieces = std::max(pieces, std::min(std::ceil(change / kEvenRatio), kMostSplits));

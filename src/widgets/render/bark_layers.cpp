@@ -41,7 +41,7 @@ std::uint32_t BarkLayers::layerOf(int mesh) {
     const Picture *first = pictureOf(meshes_[i]), *second = pictureOf(mesh);
     const bool same = (first == nullptr && second == nullptr) ||
                       (first != nullptr && second != nullptr && first->rgba == second->rgba);
-    if (same && a.baseColor == b.baseColor && a.roughness == b.roughness && a.tile == b.tile) {
+    if (same && a.baseColor == b.baseColor && a.roughness == b.roughness && a.tile == b.tile && a.twigs == b.twigs) {
       return static_cast<std::uint32_t>(i);
     }
   }
@@ -63,6 +63,7 @@ Barks BarkLayers::upload() const {
     const Picture* picture = pictureOf(meshes_[i]);
     looks.emplace_back(vec3(material.baseColor), material.tile);
     looks.emplace_back(material.roughness, picture != nullptr ? 1.0f : 0.0f, 0.0f, kBarkRelief);
+    looks.push_back(material.twigs);
     if (picture == nullptr) continue;
     const std::vector<MipLevel> chain = mipChain(*picture, kSize, kSize, false);
     for (std::size_t level = 0; level < chain.size(); ++level) {
@@ -71,7 +72,7 @@ Barks BarkLayers::upload() const {
     }
   }
   glTextureParameteri(out.pictures.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  if (looks.empty()) looks.resize(2, vec4(0));
+  if (looks.empty()) looks.resize(3, vec4(0));
   out.looks = makeBuffer(static_cast<GLsizeiptr>(looks.size() * sizeof(vec4)), looks.data(), 0);
   return out;
 }

@@ -9,7 +9,7 @@
 
 namespace windfall::render {
 
-/// On the GPU: colour, width of the tile and look of each layer (storage 3), and their pictures (texture 3).
+/// On the GPU: colour, width of the tile, look and twigs of each layer (storage 3), and their pictures (texture 3).
 struct Barks {
   Buffer looks;
   Texture pictures;

@@ -33,6 +33,8 @@ struct Material {
   float roughness = 0.8f;
   bool foliage = false;  ///< alpha-tested, lit from both sides
   float tile = 0;        ///< of generated bark on an adaptive mesh: width of its picture on the stem, m
+  /// Of an adaptive mesh: linear colour of stems too thin for bark, and the radius (m) below which they are.
+  vec4 twigs{0};
 };
 
 struct Part {

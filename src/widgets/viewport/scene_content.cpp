@@ -33,6 +33,23 @@ bool followsSkeleton(const model::PlantGeometry& geometry) {
   return geometry.skeleton && (geometry.skeleton->settings.fromSkeleton || !kMeshes.contains(geometry.format));
 }
 
+bool isTwig(const model::PlantGeometry& geometry, int material) {
+  return geometry.materials[static_cast<std::size_t>(material)].name == QLatin1String("twig");
+}
+
+/// Colour and greatest radius (m) of stems that a grower drew without bark; 0: none.
+vec4 twigsOf(const model::PlantGeometry& geometry, float scale) {
+  float thickest = 0;
+  for (const model::MeshPart& part : geometry.parts) {
+    if (!isTwig(geometry, part.material)) continue;
+    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+      thickest = std::max(thickest, geometry.bones[geometry.vertices[geometry.indices[i]].bones[0]].radius);
+    }
+    return {vec3(geometry.materials[static_cast<std::size_t>(part.material)].baseColor), thickest * scale};
+  }
+  return vec4(0);
+}
+
 render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   const model::PlantGeometry& geometry = *plant.geometry;
   const std::vector<std::uint32_t> links = movingLinks(plant);
@@ -49,13 +66,14 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
   }
   mesh.indices = geometry.indices;
   for (const model::MeshPart& part : geometry.parts) {
-    // The first material of a skeleton's surface is its bark.
-    const bool adaptive = followsSkeleton(geometry) && part.material == 0;
+    // The first material of a skeleton's surface is its bark, a grower's second that of its twigs.
+    const bool adaptive = followsSkeleton(geometry) && (part.material == 0 || isTwig(geometry, part.material));
     if (!part.hidden) mesh.parts.push_back({part.firstIndex, part.indexCount, part.material, adaptive});
   }
   for (const model::Material& from : geometry.materials) {
     render::Material to{from.baseColor, -1, from.roughness, from.leaf};
     if (followsSkeleton(geometry)) to.tile = static_cast<float>(geometry.skeleton->settings.tile) * scale;
+    if (followsSkeleton(geometry) && mesh.materials.empty()) to.twigs = twigsOf(geometry, scale);
     if (!from.texture.isNull()) {
       to.picture = static_cast<int>(mesh.pictures.size());
       mesh.pictures.push_back(toPicture(from.texture));

@@ -1,5 +1,6 @@
 #include "model/plant/grow/grow_plant.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "model/plant/grow/axes.h"
@@ -30,22 +31,24 @@ void addBones(const std::vector<grower::Axis>& axes, PlantGeometry& geometry) {
   }
 }
 
-/// Triangles in two parts: bark, and the twigs that are too thin to have any.
-void splitTwigs(float thinner, PlantGeometry& geometry) {
+/// Triangles in three parts: bark, the twigs that are too thin to have any, and from `stalks` on the stalks of short
+/// shoots, which are no part of the skeleton.
+void splitTwigs(float thinner, std::size_t stalks, PlantGeometry& geometry) {
   std::vector<std::uint32_t> bark, twigs;
-  for (std::size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
-    const Vertex& vertex = geometry.vertices[geometry.indices[i]];
-    // Stalks of short shoots have three sides and no second bone.
-    const bool thin = geometry.bones[vertex.bones[0]].radius < thinner;
+  const auto& from = geometry.indices;
+  for (std::size_t i = 0; i + 2 < stalks; i += 3) {
+    const bool thin = geometry.bones[geometry.vertices[from[i]].bones[0]].radius < thinner;
     std::vector<std::uint32_t>& part = thin ? twigs : bark;
-    part.insert(part.end(), geometry.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                geometry.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    part.insert(part.end(), {from[i], from[i + 1], from[i + 2]});
   }
-  const auto first = static_cast<std::uint32_t>(bark.size()), rest = static_cast<std::uint32_t>(twigs.size());
-  geometry.indices = std::move(bark);
-  geometry.indices.insert(geometry.indices.end(), twigs.begin(), twigs.end());
-  if (first > 0) geometry.parts.push_back({0, first, 0, false});
-  if (rest > 0) geometry.parts.push_back({first, rest, 1, false});
+  std::copy(twigs.begin(), twigs.end(), std::copy(bark.begin(), bark.end(), geometry.indices.begin()));
+  std::uint32_t first = 0;
+  int material = 0;
+  for (const std::size_t count : {bark.size(), twigs.size(), from.size() - stalks}) {
+    const auto size = static_cast<std::uint32_t>(count);
+    if (size > 0) geometry.parts.push_back({first, size, material, false});
+    first += size, ++material;
+  }
 }
 
 }  // namespace
@@ -57,9 +60,10 @@ PlantGeometry dress(const Grown& grown, const GrowerSettings& settings) {
   addBones(tree.axes, geometry);
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
-  grower::buildBark(tree.axes, geometry);
-  placeFoliage(grown, tree, settings.foliage, settings.seed, geometry);
   const TwigLook thin = twigLook(settings.wood.bark);
+  grower::buildBark(tree.axes, geometry, {}, thin.thinner);
+  const std::size_t stalks = geometry.indices.size();
+  placeFoliage(grown, tree, settings.foliage, settings.seed, geometry);
   Material bark, twig;
   bark.name = QStringLiteral("bark");
   bark.baseColor = vec4(1);
@@ -68,8 +72,10 @@ PlantGeometry dress(const Grown& grown, const GrowerSettings& settings) {
   twig.name = QStringLiteral("twig");
   twig.baseColor = thin.colour;
   twig.roughness = 0.8f;
-  geometry.materials = {bark, twig};
-  splitTwigs(thin.thinner, geometry);
+  Material stalk = twig;
+  stalk.name = QStringLiteral("stalk");
+  geometry.materials = {bark, twig, stalk};
+  splitTwigs(thin.thinner, stalks, geometry);
   return geometry;
 }
 
