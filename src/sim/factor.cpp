@@ -22,7 +22,6 @@ constexpr double kSlope = 1.5;     // kappa: dF/dv over C (2.4)
 constexpr double kOverMean = 1.3;  // level for the slope over the mean wind (6.2)
 constexpr double kStillAir = 1.0;  // m/s, of branches in calm air
 constexpr double kTwistFloor = 0.3;
-constexpr double kTwistDamping = 7;  // ratio of twist over the structural one
 
 /// C of F = C u at a speed across the branch, N s/m.
 double dragAt(const LinkBody& body, double speed) {
@@ -143,9 +142,8 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;
     diagonal.z += floor;
-    // A bent twig that twists sweeps through the air; at rest it is straight and the drag's matrix does not see that.
     const dmat3 composite = glm::transpose(body.axes) * composites[i].inertia * body.axes;
-    const double twistDamping = 2 * kTwistDamping * settings.dampingRatio * body.dampingScale *
+    const double twistDamping = 2 * settings.twistDamping * settings.dampingRatio * body.dampingScale *
                                 std::sqrt(body.stiffness.z * (composite[2][2] + floor));
     diagonal.z += vh * twistDamping;
     const auto narrow = [](double value) { return static_cast<float>(value); };

@@ -24,7 +24,11 @@ struct FactorSettings {
   glm::dvec3 windDirection{1, 0, 0};
   bool axisMotion = false;  ///< analytic: fictitious torques of a moving base (5.9)
   bool twistFloor = true;   ///< 5.6
-  bool calibrate = true;    ///< 5.7; off for the literal method
+  /// Coupled: damping of twist over the structural one. A bent twig that twists sweeps through the air; the drag's
+  /// matrix of the straight rest pose does not see that, and in storms twist would swing past 3 rad. It costs
+  /// accuracy in a breeze (test V8).
+  double twistDamping = 2;
+  bool calibrate = true;  ///< 5.7; off for the literal method
 };
 
 /// Twist inertia that a joint gets on top, kg m2, so that straight twigs do not flutter (5.6). It acts on the joint's

@@ -124,6 +124,7 @@ void mendShape(std::vector<Link>& links, std::vector<std::string>& notes) {
   Fault lengths("has no length and becomes a stub", "have no length and become stubs");
   Fault thin("has no thickness and takes a part of its parent's",
              "have no thickness and take a part of their parents'");
+  Fault huge("is beyond all measure and is made smaller", "are beyond all measure and are made smaller");
   std::vector<float> sound;
   for (const Link& link : links) {
     if (isLength(link.length)) sound.push_back(link.length);
@@ -163,9 +164,17 @@ void mendShape(std::vector<Link>& links, std::vector<std::string>& notes) {
       if (!isUnit(link.rotation)) link.rotation = up;
       turns.at(index);
     }
+    if (link.length > kLongest) {
+      link.length = kLongest;
+      huge.at(index);
+    }
     if (!isLength(link.length)) {
       link.length = isLength(reach) && reach < 10 * median ? reach : std::max(kStubShare * median, 1e-4f);
       lengths.at(index);
+    }
+    if (link.radius > kThickest) {
+      link.radius = kThickest;
+      huge.at(index);
     }
     if (!isRadius(link.radius)) {
       link.radius = parent ? kThinner * parent->radius : kSlender * link.length;
@@ -173,7 +182,7 @@ void mendShape(std::vector<Link>& links, std::vector<std::string>& notes) {
       thin.at(index);
     }
   }
-  for (const Fault* fault : {&nowhere, &turns, &lengths, &thin}) fault->tell(notes);
+  for (const Fault* fault : {&nowhere, &turns, &lengths, &thin, &huge}) fault->tell(notes);
 }
 
 /// Material and the artist's factors.

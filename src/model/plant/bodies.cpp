@@ -145,6 +145,8 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
     link.radius = bone.radius;
     bodies.tree.links.push_back(link);
   }
+  // Before anything is reckoned from lengths and radii.
+  mendLinks(bodies);
 
   // A grower has said where leaves stand: without any the plant is bare.
   const bool bare =
@@ -164,6 +166,8 @@ PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int f
     sites.back().link = link;
   }
   bodies.tree.sites = thinned(sites, plant.leafDensity, firstLayer, layers);
+  // Giants are thickened beyond all measure, and leaf areas and edits may be no numbers.
+  mendLinks(bodies);
   return bodies;
 }
 

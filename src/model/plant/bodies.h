@@ -31,6 +31,7 @@ struct PlantBodies {
   std::vector<int> linkOfBone;  ///< -1 for bones that became no link
   std::vector<int> boneOfLink;
   std::vector<int> carrierOfBone;  ///< link that moves the bone's vertices: its own, or its nearest ancestor's
+  QStringList notes;               ///< what had to be mended so that the simulation takes the tree
 };
 PlantBodies buildBodies(const PlantGeometry& geometry, const Plant& plant, int firstLayer = 0, int layers = 1);
 

@@ -39,7 +39,7 @@ PlantInfo describe(const PlantGeometry& geometry, const PlantBodies& bodies) {
   info.firstFrequency = sim::firstFrequency(bodies.tree);
   info.selfBuckling = sim::selfBuckling(bodies.tree);
   for (const Clip& clip : geometry.clips) info.clips << clip.name;
-  info.notes = geometry.notes;
+  info.notes = geometry.notes + bodies.notes;
   if (!geometry.vertices.empty()) {
     info.lower = vec3(std::numeric_limits<float>::max());
     info.upper = -info.lower;

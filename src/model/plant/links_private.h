@@ -36,6 +36,10 @@ double naturalLeafArea(const std::vector<Bone>& bones, const std::vector<Branch>
 /// of metres as wires; such necks would sway long before the trunk does. Takes the wood's properties as they are.
 void makeSelfSupporting(sim::Tree& tree);
 
+/// Mends what the simulation would refuse (sim/tree_repair.h) and tells it in `bodies.notes`; links that had to be put
+/// in another order keep their bones.
+void mendLinks(PlantBodies& bodies);
+
 /// Branches that carry no other branch.
 std::vector<char> terminalBranches(const std::vector<Branch>& branches);
 

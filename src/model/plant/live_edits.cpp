@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/link_limits.h"
+
 namespace windfall::model {
 
 namespace {
@@ -36,7 +38,8 @@ void applyEdits(sim::Tree& tree, const PlantGeometry& geometry, const std::vecto
   }
   for (std::size_t i = count; i-- > 0;) {
     if (!locked[i]) continue;
-    tree.links[i].stiffnessScale *= kLocked;
+    float& stiffness = tree.links[i].stiffnessScale;
+    stiffness = std::min(stiffness * kLocked, std::max(stiffness, sim::kLargestFactor));
     if (tree.links[i].parent >= 0) locked[static_cast<std::size_t>(tree.links[i].parent)] = 1;
   }
 }

@@ -157,7 +157,7 @@ void PlantWorkspace::tellAboutPlant() {
   const model::LoadedPlant shown = loaded();
   if (!shown.geometry || !shown.bodies || toldPlant_ == plant_) return;
   toldPlant_ = plant_;
-  QStringList lines = shown.geometry->notes;
+  QStringList lines = shown.geometry->notes + shown.bodies->notes;
   const double own = sim::selfBuckling(shown.bodies->tree);
   if (own > kBuckles) {
     lines << tr("its own weight is %1 % of what makes it buckle: give it more radius or stiffer wood")

@@ -32,6 +32,9 @@ struct Case {
   bool moving;
   float largest;  ///< rad that no joint may pass
 };
+std::string called(const Case& one) {
+  return std::string(nameOf(one.method)) + (one.moving ? " with moving bases" : "");
+}
 constexpr Case kCases[] = {{TreeMethod::Coupled, false, 3.2f},
                            {TreeMethod::Analytic, false, 1.6f},
                            {TreeMethod::Analytic, true, 2.f},
@@ -42,8 +45,7 @@ constexpr Case kCases[] = {{TreeMethod::Coupled, false, 3.2f},
 
 TEST_CASE("V7: ten minutes of gusts keep 10,000 links in bounds and the sway as it is") {
   for (const Case& one : kCases) {
-    CAPTURE(std::string(nameOf(one.method)));
-    CAPTURE(one.moving);
+    CAPTURE(called(one));
     const auto engine = engineOf(one.method, one.moving, 8);
     double minute[10] = {};
     float largest = 0;
@@ -58,15 +60,15 @@ TEST_CASE("V7: ten minutes of gusts keep 10,000 links in bounds and the sway as 
     }
     CHECK(finite);
     CHECK(largest < one.largest);
-    MESSAGE(std::string(nameOf(one.method)), one.moving ? " with moving bases" : "", ": largest angle ", largest,
-            " rad, rms of the tip in minute 2: ", std::sqrt(minute[1]), " m, in minute 10: ", std::sqrt(minute[9]));
+    MESSAGE(called(one), ": largest angle ", largest, " rad, rms of the tip in minute 2: ", std::sqrt(minute[1]),
+            " m, in minute 10: ", std::sqrt(minute[9]));
     for (int m = 1; m < 10; ++m) CHECK(std::sqrt(minute[m]) == doctest::Approx(std::sqrt(minute[1])).epsilon(0.35));
   }
 }
 
 TEST_CASE("V7: a wind of 80 m/s is borne") {
   for (const Case& one : kCases) {
-    CAPTURE(std::string(nameOf(one.method)));
+    CAPTURE(called(one));
     const auto engine = engineOf(one.method, one.moving, 80);
     float largest = 0;
     for (int i = 0; i < 600; ++i) {
@@ -75,8 +77,7 @@ TEST_CASE("V7: a wind of 80 m/s is borne") {
       CHECK(std::isfinite(angle));
       largest = std::max(largest, angle);
     }
-    MESSAGE(std::string(nameOf(one.method)), one.moving ? " with moving bases" : "", ": largest angle ", largest,
-            " rad");
+    MESSAGE(called(one), ": largest angle ", largest, " rad");
     CHECK(largest < 10);
   }
 }
