@@ -30,16 +30,16 @@ std::unique_ptr<Engine> engineOf(TreeMethod method, bool moving, float speed) {
 struct Case {
   TreeMethod method;
   bool moving;
-  float largest;  ///< rad that no joint may pass
+  float largest;  ///< rad that no joint may pass in the note's gusts
 };
 std::string called(const Case& one) {
   return std::string(nameOf(one.method)) + (one.moving ? " with moving bases" : "");
 }
-constexpr Case kCases[] = {{TreeMethod::Coupled, false, 3.2f},
-                           {TreeMethod::Analytic, false, 1.6f},
-                           {TreeMethod::Analytic, true, 2.f},
-                           {TreeMethod::Literal, false, 1.6f},
-                           {TreeMethod::Forces, false, 1.6f}};
+constexpr Case kCases[] = {{TreeMethod::Coupled, false, 0.87f},
+                           {TreeMethod::Analytic, false, 0.79f},
+                           {TreeMethod::Analytic, true, 1.52f},
+                           {TreeMethod::Literal, false, 0.75f},
+                           {TreeMethod::Forces, false, 0.75f}};
 
 }  // namespace
 
@@ -78,6 +78,7 @@ TEST_CASE("V7: a wind of 80 m/s is borne") {
       largest = std::max(largest, angle);
     }
     MESSAGE(called(one), ": largest angle ", largest, " rad");
-    CHECK(largest < 10);
+    // With fronts to 200 m/s. The forces method has no bound of its own, and the note none for it.
+    CHECK(largest < (one.method == TreeMethod::Forces ? 10 : 4));
   }
 }
