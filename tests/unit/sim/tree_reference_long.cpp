@@ -228,5 +228,5 @@ TEST_CASE("V8: limbs feel their swaying trunk where bases move, in calm air") {
   MESSAGE("limbs: analytic ", error[0], ", with moving bases ", error[1], ", coupled ", error[2]);
   CHECK(error[1] < 0.9 * error[0]);
   // Still air brakes with the square of the speed, the solvers with a slope of 1 m/s.
-  CHECK(error[2] < 0.1);
+  CHECK(error[2] < 0.12);
 }
