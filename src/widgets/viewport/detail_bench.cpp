@@ -20,6 +20,7 @@ namespace {
 constexpr std::array kMeshes{BenchMesh::Uniform, BenchMesh::Bounded, BenchMesh::Adaptive};
 constexpr std::array kNames{"uniform 16 x 8", "error bound at 1 m", "adaptive"};
 constexpr float kFieldOfView = 0.7f;
+constexpr float kTolerance = 0.25f;  // px, as pictures in high quality have it
 
 struct Path {
   const char* name;
@@ -33,6 +34,7 @@ render::View viewAt(const Path& path, int frame, int frames) {
   view.eye = {0.3f, 0.55f + 0.03f * distance, distance};
   view.target = {0.0f, 0.42f, 0.0f};
   view.fieldOfView = kFieldOfView;
+  view.tolerance = kTolerance;
   return view;
 }
 
@@ -90,6 +92,31 @@ DetailBenchRow rowOf(const Path& path, const char* name, const Runner& runner, c
   row.vertices = runner.vertices / frames;
   row.triangles = runner.triangles / frames;
   return row;
+}
+
+/// The adaptive mesh's figures on a path, each beside what is wanted of it.
+std::string verdict(const DetailBenchRow& uniform, const DetailBenchRow& bounded, const DetailBenchRow& adaptive) {
+  const bool near = adaptive.path == "near";
+  std::string text = "  " + adaptive.path + " wanted:";
+  const auto add = [&](const char* what, double value, const char* wanted, bool met) {
+    char part[120];
+    std::snprintf(part, sizeof part, "  %s %.3g (%s%s)", what, value, wanted, met ? "" : ", MISSED");
+    text += part;
+  };
+  const double speed = uniform.mean / adaptive.mean, share = bounded.mean / adaptive.mean;
+  const double vertices = uniform.vertices / std::max(adaptive.vertices, 1.0);
+  add("times uniform's speed", speed, ">= 10", speed >= 10);
+  add("uniform's vertices over its own", vertices, ">= 20", vertices >= 20);
+  if (near) {
+    add("bounded's time over its own", share, ">= 0.909", share >= 1 / 1.1);
+  } else {
+    add("bounded's time over its own", share, ">= 1.4", share >= 1.4);
+  }
+  add("worst frame over bounded's", adaptive.worst / bounded.worst, "<= 1", adaptive.worst <= bounded.worst);
+  const bool bark = near ? adaptive.bark >= 0.97 && adaptive.bark <= 1.03 : adaptive.bark >= 0.95;
+  add("bark", adaptive.bark, near ? "0.97 to 1.03" : ">= 0.95", bark);
+  add("SSIM", adaptive.ssim, ">= 0.98", adaptive.ssim >= 0.98);
+  return text;
 }
 
 }  // namespace
@@ -152,6 +179,7 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
                     row.ssim, first.mean / row.mean);
       say(line);
     }
+    say(verdict(rows[rows.size() - 3], rows[rows.size() - 2], rows.back()));
   }
   for (Runner& runner : runners) runner.stage.reset();
   return rows;
