@@ -20,7 +20,7 @@ namespace {
 constexpr std::array kMeshes{BenchMesh::Uniform, BenchMesh::Bounded, BenchMesh::Adaptive};
 constexpr std::array kNames{"uniform 16 x 8", "error bound at 1 m", "adaptive"};
 constexpr float kFieldOfView = 0.7f;
-constexpr float kTolerance = 0.25f;  // px, as pictures in high quality have it
+constexpr float kTolerance = 0.35f;  // px
 
 struct Path {
   const char* name;
