@@ -164,7 +164,8 @@ void mendShape(std::vector<Link>& links, std::vector<std::string>& notes) {
       if (!isUnit(link.rotation)) link.rotation = up;
       turns.at(index);
     }
-    if (link.length > kLongest) {
+    // One giant among others of usual size is a fault of its own; a whole tree of them is of another unit.
+    if (sound.empty() && link.length > kLongest) {
       link.length = kLongest;
       huge.at(index);
     }
