@@ -26,7 +26,8 @@ struct TreeRepair {
 /// Parents that are not there make a link a root; a loop of parents is cut at its first link; links are put in the
 /// order that Tree asks for, side axes behind their parents as they stood. A link without length becomes a stub that
 /// ends where its child begins, one without thickness takes part of its parent's, giants are cut to what problemOf()
-/// takes; other numbers that are none, or beyond all measure, become the parent's or the default. Leaves that hang on no link are dropped.
+/// takes; other numbers that are none, or beyond all measure, become the parent's or the default. Leaves that hang on
+/// no link are dropped.
 TreeRepair repairTree(Tree& tree);
 
 }  // namespace windfall::sim
