@@ -121,6 +121,7 @@ inline std::uint32_t shadedTint(std::uint32_t tint, float shade) {
   std::uint32_t out = tint & 0xff000000u;
   for (std::uint32_t shift = 0; shift < 24; shift += 8) {
     const float channel = static_cast<float>((tint >> shift) & 255u) * (1 - 0.35f * shade);
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): as the shader does
     out |= static_cast<std::uint32_t>(channel + 0.5f) << shift;
   }
   return out;
