@@ -67,7 +67,7 @@ Contender air(const std::shared_ptr<Scene>& scene) {
 }
 
 /// Both: what a scene waits for. The share of the wind is what this takes beyond the solver.
-Contender whole(std::shared_ptr<Scene> scene) {
+Contender whole(const std::shared_ptr<Scene>& scene) {
   const std::shared_ptr<TreeField> field = fieldOf(*scene, TreeMethod::Coupled, 1);
   Contender contender;
   contender.name = "coupled, wind, solve and poses, 1 thread";
