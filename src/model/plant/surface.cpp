@@ -108,7 +108,7 @@ class ChainWriter {
         normal -= settings_.gnarl * radius / h * (around * across + ring.tangent * along);
       }
       const vec3 position = ring.position + out * (radius * factor);
-      addVertex(ring, position, junctionNormal(ring, position, glm::normalize(normal)), share, around);
+      addVertex(ring, position, junctionNormal(ring, position, glm::normalize(normal)), share);
     }
   }
 
@@ -126,7 +126,7 @@ class ChainWriter {
     return length > 1e-3f ? mixed / length : normal;
   }
 
-  std::uint32_t addVertex(const MeshRing& ring, vec3 position, vec3 normal, float share, vec3 around) {
+  std::uint32_t addVertex(const MeshRing& ring, vec3 position, vec3 normal, float share) {
     Vertex vertex{};
     vertex.position = position;
     vertex.normal = normal;
@@ -144,16 +144,11 @@ class ChainWriter {
       vertex.repeats = std::max(0.0f, std::log2(2 * kPi * ring.radius / tile));
     }
     mesh_.vertices[vertex_] = vertex;
-    if (settings_.tangents) {
-      const vec3 flat = around - normal * glm::dot(around, normal);
-      const float length = glm::length(flat);
-      mesh_.tangents[vertex_] = vec4(length > 1e-6f ? flat / length : around, 1);
-    }
     return vertex_++;
   }
 
   std::uint32_t addPole(const MeshRing& ring, vec3 position, vec3 normal) {
-    return addVertex(ring, position, normal, 0.5f, ring.normal);
+    return addVertex(ring, position, normal, 0.5f);
   }
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -227,7 +222,6 @@ SurfaceMesh meshRings(const SkeletonGraph& graph, const Chains& chains, const st
   mesh.vertices.resize(firstVertex.back());
   mesh.indices.resize(firstIndex.back());
   mesh.firstIndex.assign(firstIndex.begin(), firstIndex.end());
-  if (settings.tangents) mesh.tangents.resize(firstVertex.back());
 #pragma omp parallel for schedule(dynamic, 64) if (count > 64)
   for (std::int64_t c = 0; c < count; ++c) {
     const auto i = static_cast<std::size_t>(c);

@@ -20,7 +20,6 @@ struct MeshSettings {
   float gnarl = 0;           ///< bumps, share of the radius
   float tile = 0.15f;        ///< width of the bark's tile, m; a third of it on green stems
   bool bakeRepeats = false;  ///< texture coordinates that need no shader: whole repeats a chain
-  bool tangents = false;     ///< fills SurfaceMesh::tangents
   std::uint64_t seed = 1;
 };
 
@@ -28,7 +27,6 @@ struct SurfaceMesh {
   std::vector<Vertex> vertices;           ///< `bones` are segments of the graph
   std::vector<std::uint32_t> indices;     ///< chain by chain, counter-clockwise seen from outside
   std::vector<std::uint32_t> firstIndex;  ///< of each chain, and the end
-  std::vector<vec4> tangents;             ///< direction of u and handedness, as glTF has them
 };
 
 /// Sides of a ring of radius `r` at a tolerance, both in m (3.1).

@@ -7,7 +7,7 @@
 #include "model/plant/frames.h"
 #include "model/plant/import.h"
 #include "widgets/fields/choice_field.h"
-#include "widgets/look/icon.h"
+#include "widgets/look/tool_action.h"
 #include "widgets/viewport/viewport.h"
 
 namespace windfall::widgets {
@@ -26,13 +26,8 @@ PlantShaping::PlantShaping(const Surroundings& around, QAction* select, Viewport
   };
   activate(select, &selectTool, select->statusTip());
   for (const std::unique_ptr<ShapeTool>& tool : tools_) {
-    auto* action = new QAction(icon(tool->id()), tool->title(), this);
+    QAction* action = toolAction(this, tool->id(), tool->title(), tool->help(), tool->shortcut());
     action->setObjectName(QStringLiteral("shape.") + tool->id());
-    action->setCheckable(true);
-    action->setShortcut(tool->shortcut());
-    action->setStatusTip(tool->help());
-    action->setToolTip(
-        QStringLiteral("%1 (%2)").arg(tool->title(), action->shortcut().toString(QKeySequence::NativeText)));
     activate(action, tool.get(), tool->help());
     // The plant is shaped as it stands at rest.
     connect(action, &QAction::toggled, this, [this](bool on) {

@@ -6,6 +6,7 @@
 
 #include "sim/self_buckling.h"
 #include "widgets/look/icon.h"
+#include "widgets/look/tool_action.h"
 #include "widgets/plant/branch_attributes.h"
 #include "widgets/plant/clip_panel.h"
 #include "widgets/plant/link_choice.h"
@@ -21,11 +22,7 @@ void PlantWorkspace::makeTools() {
   auto* group = new QActionGroup(this);
   const auto add = [&](ViewportTool& tool, const char* iconName, const QString& text, const QString& help,
                        const QKeySequence& shortcut) {
-    auto* action = new QAction(icon(iconName), text, this);
-    action->setCheckable(true);
-    action->setShortcut(shortcut);
-    action->setStatusTip(help);
-    action->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
+    QAction* action = toolAction(this, iconName, text, help, shortcut);
     group->addAction(action);
     connect(action, &QAction::toggled, this, [this, &tool, help](bool on) {
       if (!on) return;

@@ -11,6 +11,7 @@
 #include "model/scene/wind_csv.h"
 #include "widgets/look/icon.h"
 #include "widgets/look/look.h"
+#include "widgets/look/tool_action.h"
 #include "widgets/scene/device_button.h"
 #include "widgets/scene/history_plot.h"
 #include "widgets/scene/leaf_counts.h"
@@ -85,11 +86,7 @@ QWidget* SceneWorkspace::strip() { return strip_; }
 
 QAction* SceneWorkspace::addTool(ViewportTool& tool, const QString& iconName, const QString& text, const QString& help,
                                  const QKeySequence& shortcut) {
-  auto* action = new QAction(icon(iconName), text, this);
-  action->setCheckable(true);
-  action->setShortcut(shortcut);
-  action->setStatusTip(help);
-  action->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut.toString(QKeySequence::NativeText)));
+  QAction* action = toolAction(this, iconName, text, help, shortcut);
   connect(action, &QAction::toggled, this, [this, &tool, help](bool on) {
     if (!on) return;
     viewport_->setTool(&tool);

@@ -97,7 +97,6 @@ class PlantSurfaceTest : public QObject {
   void normalsMeetAtJunctions();
   void lessDetailIsFewerTriangles();
   void threadsDoNotMatter();
-  void tangentsLieInTheSurface();
 };
 
 void PlantSurfaceTest::vertexCountsAreTheNotes() {
@@ -322,19 +321,6 @@ void PlantSurfaceTest::threadsDoNotMatter() {
     QVERIFY(mesh.indices == meshes[0].indices);
     const std::size_t bytes = mesh.vertices.size() * sizeof(model::Vertex);
     QVERIFY(std::memcmp(mesh.vertices.data(), meshes[0].vertices.data(), bytes) == 0);
-  }
-}
-
-void PlantSurfaceTest::tangentsLieInTheSurface() {
-  MeshSettings settings;
-  settings.tangents = true;
-  const Built b = build(test::smallTree(), settings);
-  QCOMPARE(b.mesh.tangents.size(), b.mesh.vertices.size());
-  for (std::size_t i = 0; i < b.mesh.tangents.size(); ++i) {
-    const vec3 t(b.mesh.tangents[i]);
-    QVERIFY(std::abs(glm::length(t) - 1) < 1e-4f);
-    QVERIFY(std::abs(b.mesh.tangents[i].w) == 1);
-    QVERIFY(std::abs(glm::dot(t, b.mesh.vertices[i].normal)) < 1e-3f);
   }
 }
 

@@ -158,7 +158,8 @@ void compare(const SampleTreeSettings& sample, float leaves, float speed, const 
       MESSAGE(name, ", 1/", row.rate, " s, twist damping ", twistDamping, ": trunk ", trunk, " (", row.trunk,
               "), limbs ", limb, " (", row.limb, "), twigs ", twig, " (", row.twig, ")");
       // The note accepts 1.3 times its table; a little more, since this tree is another than the table's: the coupled
-      // trunk at 12 m/s is at 0.066 and 0.071 beside 0.046. All else is within the 1.3.
+      // trunk at 12 m/s is at 0.066 and 0.071 beside 0.046, and with the twist damped limbs and twigs at 5 m/s go
+      // beyond.
       const double more = twistDamping > 0 ? 0.06 : 0.01;
       CHECK(trunk < 1.3 * row.trunk + 0.015);
       CHECK(limb < 1.3 * row.limb + more);
