@@ -13,6 +13,10 @@ namespace windfall {
 using LinkPass = void (*)(const LinkSlots<float>& slots, const LinkStep<float>& step, std::uint32_t begin,
                           std::uint32_t end);
 
+/// Samples the wind at the links of blocks [begin, end), in the poses of slots.before, into blocks of 3 fields.
+using LinkAir = void (*)(const LinkSlots<float>& slots, const WindView& wind, std::uint32_t begin, std::uint32_t end,
+                         float* air);
+
 /// Both passes of a solver: up from the last block to the first, down from the first to the last.
 struct LinkPasses {
   LinkPass up, down;
@@ -22,6 +26,7 @@ struct LinkPasses {
 struct LinkLoops {
   const char* name;  ///< "x86-64-v4"
   LinkPasses coupled, modal, axis, forces;
+  LinkAir air;
 };
 
 /// The best of this machine.

@@ -1,6 +1,7 @@
 // The passes for one instruction set; each link_loops_*.cpp includes this once.
 #pragma once
 
+#include "kernels/link_air_body.h"
 #include "kernels/link_coupled.h"
 #include "kernels/link_forces.h"
 #include "kernels/link_lanes.h"

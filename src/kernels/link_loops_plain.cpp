@@ -3,5 +3,5 @@
 
 namespace windfall {
 extern const LinkLoops kPlainLinkLoops;
-const LinkLoops kPlainLinkLoops{"plain", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses};
+const LinkLoops kPlainLinkLoops{"plain", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses, airPass};
 }  // namespace windfall

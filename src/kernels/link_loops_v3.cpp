@@ -3,5 +3,5 @@
 
 namespace windfall {
 extern const LinkLoops kAvx2LinkLoops;
-const LinkLoops kAvx2LinkLoops{"x86-64-v3", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses};
+const LinkLoops kAvx2LinkLoops{"x86-64-v3", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses, airPass};
 }  // namespace windfall

@@ -3,5 +3,5 @@
 
 namespace windfall {
 extern const LinkLoops kAvx512LinkLoops;
-const LinkLoops kAvx512LinkLoops{"x86-64-v4", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses};
+const LinkLoops kAvx512LinkLoops{"x86-64-v4", kCoupledPasses, kModalPasses, kAxisPasses, kForcesPasses, airPass};
 }  // namespace windfall

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/link_air.h"
 #include "kernels/link_coupled.h"
 #include "kernels/link_forces.h"
 #include "kernels/link_modal.h"
@@ -309,11 +308,12 @@ void TreeField::sampleAir(const WindView& wind) {
   LinkSlots<float> links = view();
   links.before = reinterpret_cast<const float*>(after_.data());
   follow(wind.pull);
+  const LinkAir sample = linkLoops().air;
   const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_) if (parts > 3)
   for (std::ptrdiff_t p = 0; p < parts; ++p) {
     const Part part = slots_.parts[static_cast<std::size_t>(p)];
-    linkAir(links, wind, part.begin, part.end, air_.data());
+    sample(links, wind, part.begin, part.end, air_.data());
   }
 }
 
