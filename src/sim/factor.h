@@ -24,9 +24,9 @@ struct FactorSettings {
   glm::dvec3 windDirection{1, 0, 0};
   bool axisMotion = false;  ///< analytic: fictitious torques of a moving base (5.9)
   bool twistFloor = true;   ///< 5.6
-  /// Coupled: damping of twist over the structural one. A bent twig that twists sweeps through the air; the drag's
-  /// matrix of the straight rest pose does not see that, and in storms twist would swing past 3 rad. It costs
-  /// accuracy in a breeze (test V8).
+  /// Coupled: damping of twist over the structural one in a mean wind of 20 m/s and more; below it falls with the
+  /// wind's square. A bent twig that twists sweeps through the air; the drag's matrix of the straight rest pose does
+  /// not see that, and in storms twist would swing past 3 rad. In a breeze it would cost accuracy (test V8).
   double twistDamping = 2;
   bool calibrate = true;  ///< 5.7; off for the literal method
 };

@@ -158,15 +158,13 @@ void compare(const SampleTreeSettings& sample, float leaves, float speed, const 
       MESSAGE(name, ", 1/", row.rate, " s, twist damping ", twistDamping, ": trunk ", trunk, " (", row.trunk,
               "), limbs ", limb, " (", row.limb, "), twigs ", twig, " (", row.twig, ")");
       // The note accepts 1.3 times its table; a little more, since this tree is another than the table's: the coupled
-      // trunk at 12 m/s is at 0.066 and 0.071 beside 0.046, and with the twist damped limbs and twigs at 5 m/s go
-      // beyond.
-      const double more = twistDamping > 0 ? 0.06 : 0.01;
-      CHECK(trunk < 1.3 * row.trunk + 0.015);
-      CHECK(limb < 1.3 * row.limb + more);
+      // trunk at 12 m/s and 1/30 s is at 0.063 beside 0.046, and the uncalibrated limbs are 1.1 times the table's.
+      CHECK(trunk < 1.3 * row.trunk + 0.005);
+      CHECK(limb < 1.3 * row.limb + 0.005);
       // Not met with moving bases: here the twigs are driven by their own wind rather than by their base, whose
       // acceleration the analytic solver itself gets wrong by a third; the torque of 5.9 then adds what is not there.
       // Where bases drive what they carry it helps, see below.
-      if (!row.moving) CHECK(twig < 1.3 * row.twig + more);
+      if (!row.moving) CHECK(twig < 1.3 * row.twig + 0.005);
     }
   }
 }
