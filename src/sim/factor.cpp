@@ -23,7 +23,6 @@ constexpr double kOverMean =
     1.15;  // level for the slope over the mean wind: the note takes 1.3 (6.2), V8 is met closer so
 constexpr double kStillAir = 1.0;  // m/s, of branches in calm air
 constexpr double kTwistFloor = 0.3;
-constexpr double kStorm = 20;  // m/s, mean, from which on twist is damped in full
 
 /// C of F = C u at a speed across the branch, N s/m.
 double dragAt(const LinkBody& body, double speed) {
@@ -69,6 +68,11 @@ RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& s
 double twistFloor(const LinkBody& body, const Composite& composite) {
   const dmat3 local = glm::transpose(body.axes) * composite.inertia * body.axes;
   return std::max(0.0, kTwistFloor * 0.5 * (local[0][0] + local[1][1]) - local[2][2]);
+}
+
+double stormTwistDamping(const FactorSettings& settings) {
+  constexpr double kStorm = 20;  // m/s, mean
+  return settings.twistDamping * std::min(1.0, std::pow(settings.windSpeed / kStorm, 4));
 }
 
 double dragSlope(const LinkBody& body, const FactorSettings& settings) {
@@ -122,7 +126,6 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
   std::array<double, kCoupledConstants> constants{};
   const double beta = frequency > 0 ? 2 * settings.dampingRatio / (2 * std::numbers::pi * frequency) : 0;
   const double vh = settings.implicitness * settings.h;
-  const double storm = std::min(1.0, settings.windSpeed * settings.windSpeed / (kStorm * kStorm));
   const double numerical = settings.compensate ? (2 * settings.implicitness - 1) * settings.h : 0;
 
   // Articulated inertia of each link in its own rest frame: [J H; H^T M].
@@ -146,7 +149,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;
     diagonal.z += floor;
     const dmat3 composite = glm::transpose(body.axes) * composites[i].inertia * body.axes;
-    const double twistDamping = 2 * storm * settings.twistDamping * settings.dampingRatio * body.dampingScale *
+    const double twistDamping = 2 * stormTwistDamping(settings) * settings.dampingRatio * body.dampingScale *
                                 std::sqrt(body.stiffness.z * (composite[2][2] + floor));
     diagonal.z += vh * twistDamping;
     const auto narrow = [](double value) { return static_cast<float>(value); };

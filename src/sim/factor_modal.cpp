@@ -63,7 +63,8 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
       const double lambda = 1 / std::max(mu[a], 1e-30);
       for (int row = 0; row < 3; ++row) constants[kModes + 3 * a + row] = s[row] * vectors[a][row];
       constants[kSquares + a] = lambda;
-      constants[kDampings + a] = body.dampingScale * settings.dampingRatio * std::sqrt(lambda) +
+      const double twist = calibrated ? vectors[a][2] * vectors[a][2] * stormTwistDamping(settings) : 0;
+      constants[kDampings + a] = body.dampingScale * settings.dampingRatio * (1 + twist) * std::sqrt(lambda) +
                                  0.5 * (air + body.rayleighAlpha + body.rayleighBeta * lambda);
     }
     const auto put = [&](std::size_t moment, std::size_t matrix, const Composite& c) {
