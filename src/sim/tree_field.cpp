@@ -100,7 +100,6 @@ void TreeField::findBases() {
 }
 
 void TreeField::factoriseTree(std::size_t instance) {
-  ++revision_;
   const Tree& tree = *trees_[instance].tree;
   const std::size_t first = firstLinks_[instance], count = tree.links.size();
   const std::vector<LinkBody> bodies =
@@ -120,7 +119,10 @@ void TreeField::factorise(const FactorSettings& settings) {
   settings_ = settings;
   settings_.method = method;
   settings_.axisMotion = axisMotion;
-  for (std::size_t t = 0; t < trees_.size(); ++t) factoriseTree(t);
+  ++revision_;
+  const auto count = static_cast<std::ptrdiff_t>(trees_.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads_) if (count > 1)
+  for (std::ptrdiff_t t = 0; t < count; ++t) factoriseTree(static_cast<std::size_t>(t));
 }
 
 void TreeField::setLostArea(std::span<const float> area) {
@@ -131,6 +133,7 @@ void TreeField::setLostArea(std::span<const float> area) {
 void TreeField::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) {
   trees_[instance].tree = std::move(tree);
   frequencies_[instance] = settings_.frequency > 0 ? settings_.frequency : firstFrequency(*trees_[instance].tree);
+  ++revision_;
   factoriseTree(instance);
 }
 

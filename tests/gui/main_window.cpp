@@ -14,6 +14,7 @@
 
 #include "app/editor.h"
 #include "model/document/project_file.h"
+#include "support/fbx_fixture.h"
 #include "support/painted_leaf.h"
 #include "support/suite.h"
 #include "widgets/leaf/image_pane.h"
@@ -169,6 +170,35 @@ class MainWindowTest : public QObject {
     QVERIFY(document().project().leaves.empty());
     dropFile(folder.filePath(QStringLiteral("what.xyz")));
     QVERIFY(window().messages().text().startsWith(QStringLiteral("what.xyz")));
+  }
+
+  void aDroppedTreeThatCannotBeUsedIsToldInOneLine_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("told");
+    QByteArray figure = test::fbxFixture(1, 1);
+    QTest::newRow("cut off") << figure.left(figure.size() / 2) << "half.fbx" << "half.fbx: is cut off";
+    figure.replace("\"OO\",40,10", "\"OO\",40,20");
+    QTest::newRow("no skeleton") << figure << "stone.fbx" << "has no armature";
+    QTest::newRow("no glTF") << QByteArray("glTF is not this") << "tree.glb" << "tree.glb: ";
+    QTest::newRow("no plant") << QByteArray("AGRO") << "plant.prim" << "plant.prim: ";
+  }
+  void aDroppedTreeThatCannotBeUsedIsToldInOneLine() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, name);
+    QFETCH(QString, told);
+    QTemporaryDir folder;
+    QFile file(folder.filePath(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+    file.close();
+    const model::Project before = document().project();
+    dropFile(file.fileName());
+    QTRY_VERIFY(window().messages().isError());
+    const QString text = window().messages().text();
+    QVERIFY2(text.contains(name) && text.contains(told) && !text.contains('\n'), qPrintable(text));
+    QVERIFY(document().project() == before);
+    QVERIFY(!window().isWindowModified());
   }
 
   void savingAndReopeningKeepsMarksAndView() {
