@@ -9,10 +9,10 @@ namespace windfall::model {
 
 namespace {
 
-/// What lies beside a vein lies at a like distance in pixels, however wide apart the veins are.
-constexpr float kHalo = 0.6f, kHaloReach = 5;  // px at 512
-constexpr float kStanding = 1, kPetiole = 1;   ///< weights beside the other guides
-constexpr float kOffLeaf = 24.5f;              ///< squared: the cost of a pixel where a patch reaches off the leaf
+/// A vein's middle, and what lies beside it at a like distance in pixels, however wide apart the veins are.
+constexpr float kRidge = 0.6f, kRidgeWidth = 1.5f, kHalo = 1.2f, kHaloReach = 5;  // px at 512
+constexpr float kStanding = 1, kPetiole = 1;                                      ///< weights beside the other guides
+constexpr float kOffLeaf = 24.5f;  ///< squared: the cost of a pixel where a patch reaches off the leaf
 
 cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::Size full, cv::Size size,
                  const cv::Mat1f& small) {
@@ -43,19 +43,13 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
   const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
   const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
   cv::Mat1f lines(full), line, standings(full), standing;
+  const float unit = static_cast<float>(std::max(full.width, full.height)) / 512;
   for (int y = 0; y < full.height; ++y) {
     for (int x = 0; x < full.width; ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
-      lines(y, x) = weight(y, x) > 0 && structure.veinDistance.values[i] <= 0 ? 1.f : 0.f;
-    }
-  }
-  const double unit = std::max(full.width, full.height) / 512.0;
-  cv::GaussianBlur(lines, lines, {}, 1.2 * unit);
-  for (int y = 0; y < full.height; ++y) {
-    for (int x = 0; x < full.width; ++x) {
-      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
-      const float near = std::exp(-frame.reach[i] / (kHaloReach * static_cast<float>(unit)));
-      lines(y, x) = lines(y, x) + kHalo * near;
+      const float reach = std::max(0.f, frame.reach[i]) / unit, near = std::exp(-reach / kHaloReach),
+                  across = reach / kRidgeWidth;
+      lines(y, x) = kRidge * std::exp(-0.5f * across * across) + kHalo * near;
       standings(y, x) = kStanding * near * frame.standing[i];
     }
   }
@@ -86,7 +80,8 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
       const int fy = std::min(full.height - 1, static_cast<int>((y + 0.5) * full.height / size.height));
       const size_t j = static_cast<size_t>(fy) * static_cast<size_t>(full.width) + static_cast<size_t>(fx);
       image.leaf[i] = small(y, x) > 0.5f;
-      image.guides[i] = {distance(y, x), std::min(1.f, vein(y, x)), 0.5f * margin(y, x), line(y, x), standing(y, x), 0};
+      image.guides[i] = {
+          distance(y, x), std::min(1.f, vein(y, x)), 0.5f * margin(y, x), line(y, x), standing(y, x), 0, 0, 0};
       if (structure.regions.petiole > 0 && structure.regions.values[j] == structure.regions.petiole) {
         image.guides[i].petiole = kPetiole;
       }

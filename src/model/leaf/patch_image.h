@@ -22,7 +22,8 @@ struct PatchGuide {
   float distance = 0, vein = 0, margin = 0, line = 0;
   float standing = 0;  ///< of the vein on or beside which it lies, fading with the distance from it
   float petiole = 0;   ///< so large that nothing is exchanged between petiole and blade
-  float unused[2] = {0, 0};
+  float use = 0;       ///< of the example: dearer the more it is used (guided_private.h, chargeUse)
+  float unused = 0;
 };
 
 struct PatchImage {

@@ -12,6 +12,7 @@
 #include "model/leaf/region_match.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/vein_frame.h"
+#include "model/leaf/vein_profile.h"
 #include "model/leaf/working_colours.h"
 
 namespace windfall::model {
@@ -49,12 +50,12 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
     pyramid.push_back({makePatchImage(target.grown, targetFrame, nullptr, factor),
                        makePatchImage(example.seen, exampleFrame, colours.data(), factor)});
   }
-  if (finest == 0) return synthesizeGuided(std::move(pyramid), match, guideWeight, seed, progress);
   const PatchImage last = pyramid.back().target;
   std::vector<float> result = synthesizeGuided(std::move(pyramid), match, guideWeight, seed, progress);
   if (result.empty()) return result;
   const QSize size = target.grown.distance.size;
-  return enlarged(std::move(result), last, {size.width(), size.height()});
+  if (finest > 0) result = enlarged(std::move(result), last, {size.width(), size.height()});
+  return restoreVeins({target.grown, targetFrame, result}, {example.seen, exampleFrame, colours});
 }
 
 }  // namespace

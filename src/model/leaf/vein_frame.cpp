@@ -10,6 +10,9 @@ namespace windfall::model {
 
 namespace {
 
+constexpr double kSmooth = 6;          ///< px at 512: over which directions are averaged
+constexpr float kLeastWeight = 0.02f;  ///< of the smallest veins; the others' is their standing
+
 /// Second moments of the vein pixels around each pixel, and how the structural distance grows along them.
 struct Tensors {
   cv::Mat1f count, xx, xy, yy, sx, sy;
@@ -51,6 +54,32 @@ Tensors gather(const cv::Mat1f& veins, const cv::Mat1f& distance, int radius) {
   return t;
 }
 
+/// Directions that turn slowly: small veins that bend and branch do not cut the texture between them into crumbs.
+void smoothAngles(VeinFrame& frame, const cv::Mat1b& leaf) {
+  const int width = leaf.cols, height = leaf.rows;
+  const double sigma = kSmooth * std::max(width, height) / 512.0, step = std::max(1.0, sigma / 3);
+  cv::Mat2f ways(height, width, cv::Vec2f(0, 0)), small;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const size_t i = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+      const float weight = leaf(y, x) ? frame.standing[i] + kLeastWeight : 0.f;
+      ways(y, x) = cv::Vec2f(weight * std::cos(frame.angle[i]), weight * std::sin(frame.angle[i]));
+    }
+  }
+  const cv::Size size(std::max(1, static_cast<int>(width / step)), std::max(1, static_cast<int>(height / step)));
+  cv::resize(ways, small, size, 0, 0, cv::INTER_AREA);
+  cv::GaussianBlur(small, small, {}, sigma / step);
+  cv::resize(small, ways, {width, height}, 0, 0, cv::INTER_LINEAR);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const cv::Vec2f& way = ways(y, x);
+      if (!leaf(y, x) || way.dot(way) < 1e-9f) continue;
+      frame.angle[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] =
+          std::atan2(way[1], way[0]);
+    }
+  }
+}
+
 }  // namespace
 
 VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF tip) {
@@ -72,6 +101,12 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   cv::Mat1i nearest;
   cv::distanceTransform(open, toVein, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
   cv::distanceTransform(leaf, toMargin, cv::DIST_L2, 5);
+  // Half the width of a vein, at each of its pixels: how deep its middle lies near by.
+  cv::Mat1f depth, half;
+  cv::distanceTransform(~open, depth, cv::DIST_L2, 3);
+  const int widest = 2 * std::max(2, std::max(width, height) / 100) + 1;
+  cv::dilate(depth, half, cv::getStructuringElement(cv::MORPH_ELLIPSE, {widest, widest}));
+  std::vector<float> halfOf(1, 0.f);
   const float fallback = static_cast<float>(std::atan2(tip.y() - root.y(), tip.x() - root.x()));
   std::vector<float> angleOf(1, fallback), standingOf(1, 0.f);
   const std::vector<float> flow = veinFlow(structure);
@@ -79,7 +114,9 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
     for (int x = 0; x < width; ++x) {
       if (open(y, x)) continue;
       const auto label = static_cast<size_t>(nearest(y, x));
-      if (label >= angleOf.size()) angleOf.resize(label + 1, fallback), standingOf.resize(label + 1, 0.f);
+      if (label >= angleOf.size())
+        angleOf.resize(label + 1, fallback), standingOf.resize(label + 1, 0.f), halfOf.resize(label + 1, 0.f);
+      halfOf[label] = half(y, x);
       standingOf[label] = std::sqrt(flow[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]);
       if (tensors.count(y, x) < 3) continue;
       // The main direction of the vein pixels around, pointing to where the structural distance grows.
@@ -103,9 +140,11 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
     frame.angle[i] = label < angleOf.size() ? angleOf[label] : fallback;
     frame.standing[i] = label < standingOf.size() ? standingOf[label] : 0;
     frame.side[i] = along.x() * (y - root.y()) - along.y() * (x - root.x()) >= 0 ? 1 : -1;
-    frame.reach[i] = toVein(y, x);
+    frame.reach[i] =
+        open(y, x) ? toVein(y, x) + (label < halfOf.size() ? halfOf[label] : 0.f) - 1 : half(y, x) - depth(y, x);
     frame.margin[i] = std::min(1.f, toMargin(y, x) / (0.5f * static_cast<float>(deepest)));
   }
+  smoothAngles(frame, leaf);
   return frame;
 }
 
