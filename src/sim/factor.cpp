@@ -7,6 +7,7 @@
 
 #include "kernels/link_coupled.h"
 #include "kernels/wind_model.h"
+#include "sim/bent_drag.h"
 
 namespace windfall::sim {
 
@@ -46,8 +47,7 @@ RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& s
   for (std::size_t i = n; i-- > 0;) {
     const LinkBody& body = bodies[i];
     const dvec3 own = body.mass * settings.gravity;
-    const double speed = settings.windSpeed > 0 ? levelAt(body, settings) : 0;
-    const dvec3 all = own + settings.windDirection * (dragAt(body, speed) * speed);
+    const dvec3 all = own + settings.windDirection * meanDrag(body, settings);
     weight[i] += own;
     torque[i] += glm::cross(body.arm(), own);
     force[i] += all;
@@ -70,9 +70,9 @@ double twistFloor(const LinkBody& body, const Composite& composite) {
   return std::max(0.0, kTwistFloor * 0.5 * (local[0][0] + local[1][1]) - local[2][2]);
 }
 
-double stormTwistDamping(const FactorSettings& settings) {
-  constexpr double kStorm = 20;  // m/s, mean
-  return settings.twistDamping * std::min(1.0, std::pow(settings.windSpeed / kStorm, 4));
+double meanDrag(const LinkBody& body, const FactorSettings& settings) {
+  const double speed = settings.windSpeed > 0 ? levelAt(body, settings) : 0;
+  return dragAt(body, speed) * speed;
 }
 
 double dragSlope(const LinkBody& body, const FactorSettings& settings) {
@@ -123,6 +123,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
   const std::vector<Composite> composites = compositesOf(bodies);
   const RestLoads loads = restLoads(bodies, settings);
   const std::size_t n = bodies.size();
+  const std::vector<double> bent = settings.bentDrag ? bentTwistDrag(bodies, settings) : std::vector<double>(n);
   std::array<double, kCoupledConstants> constants{};
   const double beta = frequency > 0 ? 2 * settings.dampingRatio / (2 * std::numbers::pi * frequency) : 0;
   const double vh = settings.implicitness * settings.h;
@@ -148,10 +149,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
     dvec3 diagonal = body.stiffness * (vh * ownBeta + vh * vh) + dvec3(geometric * vh * vh);
     const double floor = settings.twistFloor ? twistFloor(body, composites[i]) : 0;
     diagonal.z += floor;
-    const dmat3 composite = glm::transpose(body.axes) * composites[i].inertia * body.axes;
-    const double twistDamping = 2 * stormTwistDamping(settings) * settings.dampingRatio * body.dampingScale *
-                                std::sqrt(body.stiffness.z * (composite[2][2] + floor));
-    diagonal.z += vh * twistDamping;
+    diagonal.z += vh * bent[i];
     const auto narrow = [](double value) { return static_cast<float>(value); };
     inertias[i] = {narrow(body.mass), narrow(body.across), narrow(body.along), narrow(floor)};
     const dmat3 inverse = glm::inverse(j + dmat3(diagonal.x, 0, 0, 0, diagonal.y, 0, 0, 0, diagonal.z));
@@ -176,7 +174,7 @@ void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, con
     commonConstants(bodies, i, settings, loads.preStress[i], constants);
     constants[kDragSlope] = slope;
     constants[kBendingSpeed] = body.stiffness.x * (vh + ownBeta) + geometric * vh;
-    constants[kTwistSpeed] = body.stiffness.z * (vh + ownBeta) + geometric * vh + twistDamping;
+    constants[kTwistSpeed] = body.stiffness.z * (vh + ownBeta) + geometric * vh + bent[i];
     std::size_t k = kInverse;
     for (int row = 0; row < 3; ++row) {
       for (int column = row; column < 3; ++column) constants[k++] = 0.5 * (inverse[column][row] + inverse[row][column]);

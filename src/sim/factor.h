@@ -24,10 +24,8 @@ struct FactorSettings {
   glm::dvec3 windDirection{1, 0, 0};
   bool axisMotion = false;  ///< analytic: fictitious torques of a moving base (5.9)
   bool twistFloor = true;   ///< 5.6
-  /// Damping of twist over the structural one in a storm. A bent twig that twists sweeps through the air; the drag's
-  /// matrix of the straight rest pose does not see that, and twist would swing past 3 rad (test V7). Not in the
-  /// literal method.
-  double twistDamping = 10;
+  bool bentDrag =
+      true;  ///< what the mean wind has bent is braked in its twist (bent_drag.h); not in the literal method
   bool calibrate = true;  ///< 5.7; off for the literal method
 };
 
@@ -48,9 +46,8 @@ struct RestLoads {
 };
 RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& settings);
 
-/// settings.twistDamping at the mean wind: whole from 20 m/s on; below it falls with the fourth power, since in a
-/// breeze it would cost accuracy (test V8).
-double stormTwistDamping(const FactorSettings& settings);
+/// Force of the mean wind on a link, N.
+double meanDrag(const LinkBody& body, const FactorSettings& settings);
 
 /// dF/dv of a link's drag at the level of the mean wind, N s/m (2.4, 5.8).
 double dragSlope(const LinkBody& body, const FactorSettings& settings);

@@ -5,6 +5,7 @@
 
 #include "kernels/link_modal.h"
 #include "sim/axis_modes.h"
+#include "sim/bent_drag.h"
 #include "sim/factor.h"
 #include "sim/symmetric_eigen.h"
 
@@ -34,6 +35,8 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
   const std::vector<AxisMode> modes =
       calibrated ? axisModes(bodies, composites, drags) : std::vector<AxisMode>(bodies.size());
   const RestLoads loads = restLoads(bodies, settings);
+  const std::vector<double> bent =
+      calibrated && settings.bentDrag ? bentTwistDrag(bodies, settings) : std::vector<double>(bodies.size());
   std::array<double, kAxisConstants> constants{};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const LinkBody& body = bodies[i];
@@ -63,9 +66,10 @@ void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& s
       const double lambda = 1 / std::max(mu[a], 1e-30);
       for (int row = 0; row < 3; ++row) constants[kModes + 3 * a + row] = s[row] * vectors[a][row];
       constants[kSquares + a] = lambda;
-      const double twist = calibrated ? vectors[a][2] * vectors[a][2] * stormTwistDamping(settings) : 0;
-      constants[kDampings + a] = body.dampingScale * settings.dampingRatio * (1 + twist) * std::sqrt(lambda) +
-                                 0.5 * (air + body.rayleighAlpha + body.rayleighBeta * lambda);
+      // Of a mode u the damping is u D u over u I u = 1 / lambda.
+      const double twist = s.z * vectors[a][2], sweep = bent[i] * twist * twist * lambda;
+      constants[kDampings + a] = body.dampingScale * settings.dampingRatio * std::sqrt(lambda) +
+                                 0.5 * (air + sweep + body.rayleighAlpha + body.rayleighBeta * lambda);
     }
     const auto put = [&](std::size_t moment, std::size_t matrix, const Composite& c) {
       const dvec3 m = glm::transpose(body.axes) * c.moment;

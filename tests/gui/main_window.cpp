@@ -177,11 +177,15 @@ class MainWindowTest : public QObject {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("told");
     QByteArray figure = test::fbxFixture(1, 1);
-    QTest::newRow("cut off") << figure.left(figure.size() / 2) << "half.fbx" << "half.fbx: is cut off";
+    QTest::newRow("cut off") << figure.left(figure.size() / 2) << "half.fbx"
+                             << "half.fbx: is cut off";
     figure.replace("\"OO\",40,10", "\"OO\",40,20");
-    QTest::newRow("no skeleton") << figure << "stone.fbx" << "has no armature";
-    QTest::newRow("no glTF") << QByteArray("glTF is not this") << "tree.glb" << "tree.glb: ";
-    QTest::newRow("no plant") << QByteArray("AGRO") << "plant.prim" << "plant.prim: ";
+    QTest::newRow("no skeleton") << figure << "stone.fbx"
+                                 << "has no armature";
+    QTest::newRow("no glTF") << QByteArray("glTF is not this") << "tree.glb"
+                             << "tree.glb: ";
+    QTest::newRow("no plant") << QByteArray("AGRO") << "plant.prim"
+                              << "plant.prim: ";
   }
   void aDroppedTreeThatCannotBeUsedIsToldInOneLine() {
     QFETCH(QByteArray, bytes);
