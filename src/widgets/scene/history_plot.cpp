@@ -60,6 +60,13 @@ void HistoryPlot::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(names_.size()); ++i) {
     paintCell(painter, {static_cast<double>(i) * width, 0, width - 2 * kGrid, static_cast<double>(height())}, i, scale);
   }
+  if (history_.size() > 1) return;
+  const QRectF empty = QRectF(rect()).adjusted(0, QFontMetricsF(font()).height() + kGrid, -2 * kGrid, -kGrid);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors(palette()).field);
+  painter.drawRoundedRect(empty, 3, 3);
+  painter.setPen(colors(palette()).muted);
+  painter.drawText(empty, Qt::AlignCenter, tr("Measured while it plays"));
 }
 
 void HistoryPlot::paintCell(QPainter& painter, const QRectF& cell, std::size_t index, double scale) const {
@@ -67,17 +74,16 @@ void HistoryPlot::paintCell(QPainter& painter, const QRectF& cell, std::size_t i
   const QFontMetricsF metrics(font());
   const QRectF text(cell.left(), cell.top(), cell.width(), metrics.height());
   painter.setPen(look.muted);
-  const QString part = history_.empty() ? QString() : tr("%1 %").arg(QLocale().toString(share(index) * 100, 'f', 0));
+  const QString part = history_.size() < 2 ? QString() : tr("%1 %").arg(QLocale().toString(share(index) * 100, 'f', 0));
   const double room = cell.width() - metrics.horizontalAdvance(part) - kGrid;
   painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(names_.at(static_cast<qsizetype>(index)), Qt::ElideRight, room));
   painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, part);
   const QRectF plot(cell.left(), text.bottom() + kGrid, cell.width(), cell.bottom() - text.bottom() - 2 * kGrid);
-  if (plot.height() < kGrid) return;
+  if (plot.height() < kGrid || history_.size() < 2) return;
   painter.setPen(Qt::NoPen);
   painter.setBrush(look.field);
   painter.drawRoundedRect(plot, 3, 3);
-  if (history_.size() < 2) return;
   const double step = plot.width() / static_cast<double>(kKept - 1);
   const auto place = [&](std::size_t i) {
     const double fromRight = static_cast<double>(history_.size() - 1 - i) * step;
