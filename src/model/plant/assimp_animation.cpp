@@ -93,6 +93,19 @@ bool isSound(const aiAnimation& animation) {
   return keys > 0 && keys < kMostKeys;
 }
 
+/// Time of the first key. What stands before it is no part of the motion: Blender counts frames from 1, and its glTF
+/// files begin so much later.
+double firstTime(const aiAnimation& animation) {
+  double first = animation.mDuration;
+  for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+    const aiNodeAnim& channel = *animation.mChannels[c];
+    if (channel.mNumScalingKeys > 0) first = std::min(first, channel.mScalingKeys[0].mTime);
+    if (channel.mNumRotationKeys > 0) first = std::min(first, channel.mRotationKeys[0].mTime);
+    if (channel.mNumPositionKeys > 0) first = std::min(first, channel.mPositionKeys[0].mTime);
+  }
+  return std::max(0.0, first);
+}
+
 }  // namespace
 
 void readClips(const File& file, const std::vector<Transform>& binds, PlantGeometry& geometry) {
@@ -105,8 +118,9 @@ void readClips(const File& file, const std::vector<Transform>& binds, PlantGeome
     const QString stem = name;
     for (int copy = 2; !names.insert(name).second; ++copy) name = QStringLiteral("%1 %2").arg(stem).arg(copy);
     const double perSecond = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : file.gltf ? 1000 : 25;
-    const double length = animation.mDuration / perSecond;
-    if (!isSound(animation) || !(length > 0 && length <= kLongest)) {
+    const bool sound = isSound(animation);
+    const double start = sound ? firstTime(animation) : 0, length = (animation.mDuration - start) / perSecond;
+    if (!sound || !(length > 0 && length <= kLongest)) {
       geometry.notes << QStringLiteral("its clip \"%1\" cannot be played and was left out").arg(name.left(60));
       continue;
     }
@@ -144,8 +158,8 @@ void readClips(const File& file, const std::vector<Transform>& binds, PlantGeome
       const double time = std::min(length, static_cast<double>(sample) / rate);
       for (std::size_t n = 0; n < file.nodes.size(); ++n) {
         const Node& node = file.nodes[n];
-        const Transform local =
-            ofNode[n] ? localAt(*ofNode[n], *node.source, time * perSecond) : transformOf(node.source->mTransformation);
+        const Transform local = ofNode[n] ? localAt(*ofNode[n], *node.source, start + time * perSecond)
+                                          : transformOf(node.source->mTransformation);
         global[n] = node.parent < 0 ? local : global[static_cast<std::size_t>(node.parent)] * local;
         const bool own =
             node.bone >= 0 && (node.parent < 0 || file.nodes[static_cast<std::size_t>(node.parent)].bone != node.bone);
