@@ -51,6 +51,17 @@ class LeafCliTest : public QObject {
     painter.drawLine(0.5 * (painted.root + painted.tip), 0.5 * (painted.root + painted.tip) + QPointF(40, -30));
     painter.end();
     QVERIFY(lines.save(at("lines.png")));
+    for (const auto& [name, place] :
+         {std::pair("one_spot.png", 0.5 * (painted.root + painted.tip)), std::pair("spot_beside.png", QPointF(4, 4))}) {
+      QImage spots(painted.photo.size(), QImage::Format_Grayscale8);
+      spots.fill(0);
+      QPainter spot(&spots);
+      spot.setBrush(Qt::white);
+      spot.drawEllipse(place, 3, 3);
+      spot.end();
+      QVERIFY(spots.save(at(name)));
+    }
+    QVERIFY(model::paintLeafPhoto({model::LeafShape::Maple, 1, 0.5}, 8, 240).photo.save(at("red.png")));
     QFile garbage(at("garbage.jpg"));
     QVERIFY(garbage.open(QIODevice::WriteOnly));
     garbage.write("no picture");
@@ -185,6 +196,16 @@ class LeafCliTest : public QObject {
     row("unknown packer", 2, {"atlas", folder_.path(), "-o", at("bad"), "--packer", "doom"});
     row("no folder can be made there", 1,
         {"leaf", at("leaf.png"), "-o", "/dev/null/x", "--variants", "0", "--size", "64"});
+    row("markers all in one place", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--markers", at("one_spot.png")});
+    row("markers beside the leaf", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--markers", at("spot_beside.png")});
+    row("example without a leaf", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--example", at("flat.png")});
+    row("example that is no picture", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--example", at("garbage.jpg")});
+    row("mask that is no picture", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--mask", at("garbage.jpg")});
+    row("mask without a leaf", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--mask", at("no_lines.png")});
+    row("folder that nobody may write", 1,
+        {"leaf", at("leaf.png"), "-o", "/proc/windfall", "--variants", "0", "--size", "64"});
+    row("atlas in a folder that nobody may write", 1, {"atlas", at("pack"), "-o", "/proc/windfall", "--size", "256"});
+    row("atlas of leaves of no size", 2, {"atlas", at("pack"), "-o", at("bad"), "--leaf-size", "-4"});
     row("atlas where no folder can be", 1, {"atlas", at("pack"), "-o", "/dev/null/x", "--size", "256"});
     row("unknown mode", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--mode", "magic"});
     row("atlas of nothing", 1, {"atlas", folder_.path(), "-o", at("bad")});
@@ -198,6 +219,99 @@ class LeafCliTest : public QObject {
     QVERIFY(run.error.startsWith("windfall: "));
     QCOMPARE(run.error.trimmed().count('\n'), 0);
     QVERIFY(!QFile::exists(at("bad")));
+  }
+
+  void aFullDiskIsOneLineAndNothingStays_data() {
+    QTest::addColumn<int>("blocks");
+    // The first file, one of the pictures, one of the last.
+    for (const int blocks : {1, 12, 60}) QTest::addRow("%d KiB", blocks) << blocks;
+  }
+  void aFullDiskIsOneLineAndNothingStays() {
+    QFETCH(int, blocks);
+    // No file may grow beyond a limit: writing ends as on a disk that is full.
+    const auto limited = [&](const QString& command) {
+      return test::runProgram("/bin/bash", {"-c", QString("trap '' XFSZ; ulimit -f %1; exec %2 %3")
+                                                      .arg(blocks)
+                                                      .arg(QStringLiteral(WINDFALL_PROGRAM), command)});
+    };
+    const QString out = at("full/out");
+    QVERIFY(QDir().mkpath(at("full")));
+    const test::ProgramRun leaf = limited(QString("leaf %1 -o %2 --variants 1 --size 400").arg(at("leaf.png"), out));
+    QCOMPARE(leaf.status, 1);
+    QVERIFY2(leaf.error.startsWith("windfall: ") && leaf.error.trimmed().count('\n') == 0, leaf.error.constData());
+    QVERIFY(leaf.error.contains("large") || leaf.error.contains("space"));
+    QCOMPARE(QDir(at("full")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden), QStringList());
+    if (blocks > 20) return;
+    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("pack2"), "--variants", "1", "--size", "200"}).status, 0);
+    const test::ProgramRun atlas = limited(QString("atlas %1 -o %2 --size 512").arg(at("pack2"), out));
+    QCOMPARE(atlas.status, 1);
+    QVERIFY2(atlas.error.startsWith("windfall: ") && atlas.error.trimmed().count('\n') == 0, atlas.error.constData());
+    QCOMPARE(QDir(at("full")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden), QStringList());
+  }
+
+  void severalExamplesServeOneTexture() {
+    const QStringList base{"leaf", at("leaf.png"), "--variants", "1", "--size", "160"};
+    const auto texture = [&](const char* name, const QStringList& more) {
+      const bool good = windfallRun(base + QStringList{"-o", at(name)} + more).status == 0;
+      return good ? bytesOf(at(name) + "/variant_000.png") : QByteArray();
+    };
+    const QStringList both{"--example", at("leaf.png"), "--example", at("red.png")};
+    const QByteArray green = texture("green", {}), red = texture("red", {"--example", at("red.png")}),
+                     mixed = texture("mixed", both), turn = texture("turn", both + QStringList{"--in-turn"});
+    QVERIFY(!green.isEmpty() && !red.isEmpty() && !mixed.isEmpty());
+    // In turn: the seed 1 takes the second. Mixed: something else than either alone, with both colours in it.
+    QCOMPARE(turn, red);
+    QVERIFY(mixed != green && mixed != red);
+    const QImage image = QImage::fromData(mixed).convertToFormat(QImage::Format_RGBA8888);
+    int reds = 0, greens = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const uchar* p = image.constScanLine(y) + 4 * static_cast<size_t>(x);
+        if (p[3] < 255) continue;
+        reds += p[0] > p[1] + 20;
+        greens += p[1] > p[0] + 5;
+      }
+    }
+    QVERIFY2(reds > 500 && greens > 500, qPrintable(QString("%1 %2").arg(reds).arg(greens)));
+  }
+
+  void threadsChangeNoFile_data() {
+    QTest::addColumn<QString>("mode");
+    for (const char* mode : {"guided", "classic"}) QTest::newRow(mode) << QString(mode);
+  }
+  void threadsChangeNoFile() {
+    QFETCH(QString, mode);
+    QMap<QString, QByteArray> first;
+    for (const int threads : {1, 2, 4}) {
+      const QString out = at("threads%1").arg(threads);
+      qputenv("OMP_NUM_THREADS", QByteArray::number(threads));
+      const int status =
+          windfallRun({"leaf", at("leaf.png"), "-o", out, "--variants", "1", "--size", "160", "--mode", mode, "--vary",
+                       "--age", "0.4", "--example", at("leaf.png"), "--example", at("red.png")})
+              .status;
+      qunsetenv("OMP_NUM_THREADS");
+      QCOMPARE(status, 0);
+      for (const QString& name : QDir(out).entryList(QDir::Files)) {
+        if (name == "timings.json") continue;
+        if (threads == 1) first[name] = bytesOf(out + '/' + name);
+        QVERIFY2(first[name] == bytesOf(out + '/' + name), qPrintable(name));
+      }
+      QVERIFY(first.size() > 25);
+    }
+  }
+
+  void anAutomaticAtlasIsAsSmallAsItCanBe() {
+    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("auto"), "--variants", "2", "--size", "200"}).status, 0);
+    QCOMPARE(windfallRun({"atlas", at("auto"), "-o", at("auto_atlas"), "--padding", "4", "--mips", "0"}).status, 0);
+    const QJsonObject json = QJsonDocument::fromJson(bytesOf(at("auto_atlas/atlas.json"))).object();
+    QCOMPARE(json["scale"].toDouble(), 1.0);
+    const int side = QImage(at("auto_atlas/atlas.png")).width();
+    QVERIFY(side == 256 || side == 512);
+    QCOMPARE(windfallRun(
+                 {"atlas", at("auto"), "-o", at("auto_atlas"), "--padding", "4", "--mips", "0", "--leaf-size", "100"})
+                 .status,
+             0);
+    QVERIFY(QImage(at("auto_atlas/atlas.png")).width() < side);
   }
 
   void interruptedRunsWriteNothing() {

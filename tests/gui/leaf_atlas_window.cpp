@@ -145,7 +145,7 @@ class LeafAtlasWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(leaf_->atlas().atlas() != nullptr && leaf_->isSettled(), 60000);
     QVERIFY(leaf_->atlas().isVisible());
     QCOMPARE(leaf_->atlas().atlas()->places.size(), size_t(2));
-    QCOMPARE(leaf_->atlas().pane().overlay().size(), QSize(2048, 2048));
+    QCOMPARE(leaf_->atlas().pane().overlay().size(), QSize(512, 512));
     shot("atlas.png");
     leaf_->atlas().packer()->box()->setCurrentIndex(2);
     emit leaf_->atlas().packer()->edited(2, true);

@@ -44,7 +44,7 @@ inline model::Project richProject() {
   leaf.bladeLength = 0.123456789012345;
   leaf.tips = {{2, 29.5}, {0.1, 20}};
   leaf.ruler = {QPointF(1, 1.5), QPointF(30, 2), 0.17};
-  leaf.examples = {{4}};
+  leaf.examples = {{4}, {3}};
   leaf.regionPairs = {{{3, 4}, {4}, {5, 6.5}}, {{7, 8}, {}, {9, 10}}};
   LeafParameters& parameters = leaf.parameters;
   parameters.mask.keepHoles = false;
@@ -53,11 +53,11 @@ inline model::Project richProject() {
   parameters.veins = {
       18446744073709551615ULL, true, 0.01, 5, 11, 70.1, 30.2, 5, 0.1, 0.7, 0.5, false, false, true, true, false, 0.03};
   parameters.costs = {2, 5, 9};
-  parameters.regions = {false, 0.4, true, 12};
+  parameters.regions = {false, 0.4, false, true, 12};
   parameters.synthesis = {false, 512, 300, 1000, 2, 5, 3, 0.1, false};
   parameters.maps = {0.5, 0.9, 0.1, 1.5};
   parameters.ageing = {0.4, 3.5, 0.9, 0.8, 0.6};
-  project.atlas = {4096, 32, 3, true, AtlasPacker::Unity};
+  project.atlas = {4096, 32, 3, true, AtlasPacker::Unity, 700};
   leaf.variants = {
       {9007199254740993ULL, false, noisePicture({17, 23}, QImage::Format_RGBA8888, 2), QPointF(8, 22), QPointF(9.5, 1)},
       {7, true, QImage()}};

@@ -13,7 +13,7 @@ namespace windfall::app {
 namespace {
 
 struct AtlasOptions {
-  std::string input, output, packer = "plain";
+  std::string input, output, packer = "plain", size = "auto";
   model::AtlasSettings settings;
   bool noRotation = false, mipFiles = false;
 };
@@ -38,6 +38,7 @@ int makeAtlas(const AtlasOptions& options) {
   Result<std::vector<model::LeafTexture>> textures = texturesOf(input, progress);
   if (!textures) return fail(input, textures.error());
   model::AtlasSettings settings = options.settings;
+  settings.size = options.size == "auto" ? 0 : text(options.size).toInt();
   settings.rotate = !options.noRotation;
   settings.packer = *model::packerOf(text(options.packer));
   const Result<model::Atlas> atlas = model::packAtlas(std::move(*textures), settings);
@@ -52,10 +53,11 @@ int makeAtlas(const AtlasOptions& options) {
 
 /// CLI11 knows no powers of two.
 std::string wrongSize(const std::string& value) {
+  if (value == "auto" || value == "0") return {};
   bool number = false;
   const int size = text(value).toInt(&number);
   const bool power = number && size >= 64 && size <= 16384 && (size & (size - 1)) == 0;
-  return power ? std::string() : "must be a power of two from 64 to 16384";
+  return power ? std::string() : "must be auto or a power of two from 64 to 16384";
 }
 
 }  // namespace
@@ -65,8 +67,16 @@ void declareAtlas(CLI::App& app, Action& action) {
   auto options = std::make_shared<AtlasOptions>();
   command->add_option("PROJECT|DIR", options->input, "Project, or folder that windfall leaf wrote")->required();
   command->add_option("-o,--output", options->output, "Folder for atlas.png, its maps and atlas.json")->required();
-  command->add_option("--size", options->settings.size, "Side of the atlas, px: a power of two")
-      ->check(CLI::Validator(wrongSize, "POWER OF TWO"))
+  command
+      ->add_option(
+          "--size", options->size,
+          "Side of the atlas, px: a power of two, or auto: the smallest that holds the leaves as large as wanted")
+      ->check(CLI::Validator(wrongSize, "auto|POWER OF TWO"))
+      ->capture_default_str();
+  command
+      ->add_option("--leaf-size", options->settings.leafPixels,
+                   "Wanted long side of the largest leaf, px; 0: as its texture was made")
+      ->check(CLI::Range(0, 8192))
       ->capture_default_str();
   command->add_option("--padding", options->settings.padding, "Between leaves at least, px")
       ->check(CLI::Range(0, 2048))

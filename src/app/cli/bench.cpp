@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <QSaveFile>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cstdio>
 
 #include "app/cli/commands.h"
@@ -39,10 +40,10 @@ std::string withRows(std::string json, const char* name, const std::vector<Row>&
   return json + "\n  ]\n}\n";
 }
 
-/// The program of the simulation's benchmarks, which knows other people's programs to compare with; empty where it does
-/// not stand beside this one.
-QString companion() {
-  const QString path = QCoreApplication::applicationDirPath() + QStringLiteral("/windfall-bench");
+/// A program of benchmarks that knows other people's programs to compare with; empty where it does not stand beside
+/// this one.
+QString companion(const QString& name) {
+  const QString path = QCoreApplication::applicationDirPath() + QLatin1Char('/') + name;
   return QFileInfo(path).isExecutable() ? path : QString();
 }
 
@@ -83,13 +84,19 @@ void sayLine(const std::string& line) {
 int bench(const BenchOptions& options) {
   std::vector<sim::BenchmarkResult> results;
   std::vector<sim::Benchmark> benchmarks;
-  const QString program = companion();
-  if (program.isEmpty()) {
-    benchmarks = sim::simBenchmarks();
-  } else if (!runCompanion(program, options, results)) {
-    return fail(program, QStringLiteral("did not end well"));
+  const std::pair<const char*, std::vector<sim::Benchmark>> parts[] = {
+      {"windfall-bench", sim::simBenchmarks()}, {"windfall-bench-leaf", model::textureBenchmarks()}};
+  for (const auto& [name, own] : parts) {
+    const QString program = companion(QString::fromLatin1(name));
+    const bool wanted = std::any_of(own.begin(), own.end(), [&](const sim::Benchmark& benchmark) {
+      return benchmark.name.find(options.filter) != std::string::npos;
+    });
+    if (program.isEmpty()) {
+      benchmarks.insert(benchmarks.end(), own.begin(), own.end());
+    } else if (wanted && !runCompanion(program, options, results)) {
+      return fail(program, QStringLiteral("did not end well"));
+    }
   }
-  for (sim::Benchmark& benchmark : model::textureBenchmarks()) benchmarks.push_back(std::move(benchmark));
   for (sim::Benchmark& benchmark : plantBenchmarks()) benchmarks.push_back(std::move(benchmark));
   for (const sim::Benchmark& benchmark : benchmarks) {
     if (benchmark.name.find(options.filter) == std::string::npos) continue;
@@ -99,8 +106,9 @@ int bench(const BenchOptions& options) {
   }
   // Linux counts kilobytes. What the benchmarks kept for themselves is part of it.
   rusage usage{};
-  if (!results.empty() && getrusage(RUSAGE_SELF, &usage) == 0) {
-    std::printf("peak memory: %.0f MB\n\n", static_cast<double>(usage.ru_maxrss) / 1024);
+  rusage beside{};
+  if (!results.empty() && getrusage(RUSAGE_SELF, &usage) == 0 && getrusage(RUSAGE_CHILDREN, &beside) == 0) {
+    std::printf("peak memory: %.0f MB\n\n", static_cast<double>(std::max(usage.ru_maxrss, beside.ru_maxrss)) / 1024);
   }
   const std::string quality = "leaf.quality";
   std::vector<model::QualityRow> rows;

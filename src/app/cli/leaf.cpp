@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "model/export/compare_sheet.h"
 #include "model/export/leaf_folder.h"
+#include "model/leaf/joined_examples.h"
 #include "model/leaf/marker_image.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/variant.h"
@@ -22,7 +23,7 @@ namespace {
 
 struct LeafOptions {
   std::string photo, output, mask, veins, root, markers, ruler, mode = "guided";
-  bool fillHoles = false, photoVeins = false, vary = false;
+  bool fillHoles = false, photoVeins = false, vary = false, inTurn = false;
   std::vector<std::string> examples;
   int variants = 2;
   int size = 1024;
@@ -109,6 +110,7 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   leaf.parameters.veins.fromPhoto = options.photoVeins;
   leaf.parameters.mask.keepHoles = !options.fillHoles;
   leaf.parameters.shape.vary = options.vary;
+  leaf.parameters.regions.mix = !options.inTurn;
   if (!options.ruler.empty()) {
     const std::vector<double> n = numbersOf(options.ruler);
     leaf.ruler = {QPointF(n[0], n[1]), QPointF(n[2], n[3]), n[4]};
@@ -126,7 +128,7 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
     const Result<QImage> spots = readMarks(text(options.markers), picture->size());
     if (!spots) return fails(text(options.markers), spots.error());
     leaf.markers = model::markersOf(*spots);
-    if (leaf.markers.empty()) return fails(text(options.markers), Error{"no white spot in it"});
+    if (leaf.markers.empty()) return fails(text(options.markers), Error{"no white spot in it: there are no markers"});
   }
   if (!options.root.empty()) {
     const QStringList parts = text(options.root).split(',');
@@ -182,6 +184,7 @@ int makeLeaf(const LeafOptions& options) {
   }
   const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape, &known);
   if (!stages) return fail(photo, stages.error());
+  if (const Status good = model::checkMarkers(*stages); !good) return fail(text(options.markers), good.error());
   std::vector<model::LeafStages> examples;
   for (const std::string& file : options.examples) {
     Result<model::SourceFile> source = model::readSourceFile(text(file));
@@ -193,6 +196,7 @@ int makeLeaf(const LeafOptions& options) {
     if (!its) return fail(text(file), its.error());
     examples.push_back(std::move(*its));
   }
+  examples = model::lendersOf(*stages, std::move(examples));
 
   model::LeafFolder folder;
   folder.stages = &*stages;
@@ -241,9 +245,12 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_option("--root", options->root, "X,Y: where the petiole meets the blade, in pixels; found without it")
       ->check(CLI::Validator(wrongPoint, "X,Y"));
   command->add_option("--markers", options->markers, "White spots in the photo's size, one a region; found without it");
-  command->add_option("--example", options->examples, "Photo that gives the colours (default: PHOTO); may be repeated")
+  command
+      ->add_option("--example", options->examples,
+                   "Photo that gives the colours (default: PHOTO); of several every texture takes regions of all")
       ->expected(1)
       ->take_all();
+  command->add_flag("--in-turn", options->inTurn, "Of several examples each texture takes one, in turn");
   command
       ->add_option("--mode", options->mode,
                    "guided: patches that lie along the veins; classic: superpixels, smoothed, with a layer of detail")

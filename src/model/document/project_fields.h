@@ -51,6 +51,7 @@ template <class Io>
 void fields(Io& io, typename Io::template Ref<RegionParameters> regions) {
   io.flag("scaleFree", regions.scaleFree);
   io.number("best", regions.best, 0, 1);
+  io.flag("mix", regions.mix);
   io.flag("hold", regions.hold);
   io.seed("seed", regions.seed);
 }
@@ -109,7 +110,8 @@ void fields(Io& io, typename Io::template Ref<AgeingParameters> ageing) {
 /// `packer` is kept by name.
 template <class Io>
 void fields(Io& io, typename Io::template Ref<AtlasSettings> atlas) {
-  io.number("size", atlas.size, 64, 16384);
+  io.number("size", atlas.size, 0, 16384);
+  io.number("leafPixels", atlas.leafPixels, 0, 8192);
   io.number("padding", atlas.padding, 0, 2048);
   io.number("mipLevels", atlas.mipLevels, 0, 12);
   io.flag("rotate", atlas.rotate);

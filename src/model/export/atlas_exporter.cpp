@@ -17,11 +17,13 @@ std::vector<ExportParameter> AtlasExporter::parameters() const {
     return ExportParameter{
         QString::fromLatin1(key), QCoreApplication::translate("Exporter", title), initial, low, high, true, {}, {}};
   };
-  return {number("size", QT_TRANSLATE_NOOP("Exporter", "Size (px)"), fresh.size, 64, 16384),
-          number("padding", QT_TRANSLATE_NOOP("Exporter", "Padding (px)"), fresh.padding, 0, 2048),
-          number("mipLevels", QT_TRANSLATE_NOOP("Exporter", "Mip levels kept clean"), fresh.mipLevels, 0, 12),
-          number("rotate", QT_TRANSLATE_NOOP("Exporter", "Leaves may lie on their side"), fresh.rotate, 0, 1),
-          number("packer", QT_TRANSLATE_NOOP("Exporter", "Packing: plain, glTF, Unity, Unreal"), 0, 0, 3)};
+  return {
+      number("size", QT_TRANSLATE_NOOP("Exporter", "Size (px), 0: automatic"), fresh.size, 0, 16384),
+      number("leafPixels", QT_TRANSLATE_NOOP("Exporter", "Largest leaf (px), 0: as made"), fresh.leafPixels, 0, 8192),
+      number("padding", QT_TRANSLATE_NOOP("Exporter", "Padding (px)"), fresh.padding, 0, 2048),
+      number("mipLevels", QT_TRANSLATE_NOOP("Exporter", "Mip levels kept clean"), fresh.mipLevels, 0, 12),
+      number("rotate", QT_TRANSLATE_NOOP("Exporter", "Leaves may lie on their side"), fresh.rotate, 0, 1),
+      number("packer", QT_TRANSLATE_NOOP("Exporter", "Packing: plain, glTF, Unity, Unreal"), 0, 0, 3)};
 }
 
 Result<AtlasSettings> AtlasExporter::settingsFrom(const AtlasSettings& base, const QJsonObject& values) const {
@@ -32,6 +34,7 @@ Result<AtlasSettings> AtlasExporter::settingsFrom(const AtlasSettings& base, con
     if (!value) return value.error();
     const int number = static_cast<int>(*value);
     if (parameter.key == QLatin1String("size")) settings.size = number;
+    if (parameter.key == QLatin1String("leafPixels")) settings.leafPixels = number;
     if (parameter.key == QLatin1String("padding")) settings.padding = number;
     if (parameter.key == QLatin1String("mipLevels")) settings.mipLevels = number;
     if (parameter.key == QLatin1String("rotate")) settings.rotate = number != 0;

@@ -112,7 +112,9 @@ Result<std::vector<NamedBytes>> atlasFiles(const Atlas& atlas, const AtlasSettin
   description[QStringLiteral("packer")] = nameOf(settings.packer);
   description[QStringLiteral("maps")] = maps;
   description[QStringLiteral("normalY")] = settings.packer == AtlasPacker::Unreal ? "down" : "up";
-  description[QStringLiteral("gap")] = settings.gap();
+  AtlasSettings used = settings;
+  used.size = atlas.image.width();
+  description[QStringLiteral("gap")] = used.gap();
   if (mipFiles) {
     int level = 0;
     for (const QImage& image : mipLevels(atlas.image, std::max(1, settings.mipLevels))) {

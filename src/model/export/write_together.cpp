@@ -13,6 +13,18 @@ Error about(const QString& name, const QString& what) { return {(name + QStringL
 
 }  // namespace
 
+Status writeBytes(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) return Error{file.errorString().toStdString()};
+  // A disk that fills up takes a part first, and says why only when the rest is asked of it.
+  for (qint64 done = 0; done < bytes.size();) {
+    const qint64 taken = file.write(bytes.constData() + done, bytes.size() - done);
+    if (taken <= 0) return Error{file.errorString().toStdString()};
+    done += taken;
+  }
+  return ok();
+}
+
 Status writeTogether(const QString& folder, const std::vector<NamedBytes>& files, const QStringList& stale) {
   const QDir place(folder);
   const bool isNew = !place.exists();
@@ -32,9 +44,8 @@ Status writeTogether(const QString& folder, const std::vector<NamedBytes>& files
   };
   for (const NamedBytes& file : files) {
     if (QFileInfo(place.filePath(file.name)).isDir()) return fails(about(file.name, QStringLiteral("is a folder")));
-    QFile made(making.filePath(file.name));
-    if (!made.open(QIODevice::WriteOnly) || made.write(file.bytes) != file.bytes.size() || !made.flush()) {
-      return fails(about(file.name, made.errorString()));
+    if (const Status written = writeBytes(making.filePath(file.name), file.bytes); !written) {
+      return fails(about(file.name, QString::fromStdString(written.error().message)));
     }
   }
   for (const NamedBytes& file : files) {

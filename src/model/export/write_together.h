@@ -20,4 +20,7 @@ struct NamedBytes {
 /// name.
 Status writeTogether(const QString& folder, const std::vector<NamedBytes>& files, const QStringList& stale = {});
 
+/// One new file. The error says what the disk had against it, also where it took only a part.
+Status writeBytes(const QString& path, const QByteArray& bytes);
+
 }  // namespace windfall::model

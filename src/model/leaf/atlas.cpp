@@ -91,10 +91,10 @@ void placeMaps(const LeafMaps& maps, Atlas& atlas, const QRect& place, bool turn
 
 Status check(const std::vector<LeafTexture>& textures, const AtlasSettings& settings) {
   const int side = settings.size;
-  if (side < kLeastSide || side > kMostSide || (side & (side - 1)) != 0) {
+  if (side != 0 && (side < kLeastSide || side > kMostSide || (side & (side - 1)) != 0)) {
     return Error{"the atlas's size must be a power of two from 64 to 16384"};
   }
-  if (settings.padding < 0 || settings.padding > side / 8) {
+  if (settings.padding < 0 || settings.padding > (side > 0 ? side : kMostSide) / 8) {
     return Error{"the atlas's padding must be from 0 to an eighth of its size"};
   }
   if (textures.empty()) return Error{"no textures to pack"};
@@ -128,19 +128,21 @@ Result<Atlas> packAtlas(std::vector<LeafTexture> textures, const AtlasSettings& 
   bool fits = layout.has_value();
   for (size_t i = 0; fits && i < sizes.size(); ++i) fits = !tooSmall(i);
   if (!fits) {
-    return Error{std::to_string(textures.size()) + " textures do not fit into an atlas of " +
-                 std::to_string(settings.size) + " px; make it larger or its padding smaller"};
+    return Error{std::to_string(textures.size()) + " textures do not fit into an atlas" +
+                 (settings.size > 0 ? " of " + std::to_string(settings.size) + " px; make it larger or" : "; make") +
+                 " its padding smaller"};
   }
+  const int side = layout->side;
 
   Atlas atlas;
-  atlas.image = cleared(settings.size, QImage::Format_RGBA8888, Qt::transparent);
+  atlas.image = cleared(side, QImage::Format_RGBA8888, Qt::transparent);
   atlas.places = layout->places;
   atlas.turned = layout->turned;
   atlas.scale = layout->scale;
   const bool mapped = std::all_of(textures.begin(), textures.end(), [](const LeafTexture& texture) {
     return texture.maps.normal.size() == texture.image.size();
   });
-  if (mapped) clearMaps(atlas, settings.size);
+  if (mapped) clearMaps(atlas, side);
   for (size_t i = 0; i < textures.size(); ++i) {
     const QRect& place = atlas.places[i];
     const bool turned = atlas.turned[i];

@@ -58,8 +58,8 @@ struct Atlas {
   QPointF toAtlas(size_t texture, QPointF share) const;
 };
 
-/// Packs and spreads colours; textures are scaled down together when they do not fit. Maps are cleared first: what no
-/// leaf covers has the nearest leaf's colour, a flat normal's surroundings, no height.
+/// Packs and spreads colours; textures are scaled down together when they do not fit or `leafPixels` asks for it. Maps
+/// are cleared first: what no leaf covers has the nearest leaf's colour, a flat normal's surroundings, no height.
 Result<Atlas> packAtlas(std::vector<LeafTexture> textures, const AtlasSettings& settings);
 
 /// Rectangles, pivots, sizes in metres, meshes: docs/atlas.md describes every key.

@@ -9,6 +9,8 @@ namespace windfall::model {
 
 namespace {
 
+constexpr int kLeastSide = 64, kMostAutomatic = 8192;
+
 QSize scaled(QSize size, double scale, bool turned) {
   const QSize result(std::max(1, static_cast<int>(std::floor(size.width() * scale))),
                      std::max(1, static_cast<int>(std::floor(size.height() * scale))));
@@ -16,7 +18,7 @@ QSize scaled(QSize size, double scale, bool turned) {
 }
 
 std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::vector<bool>& turned,
-                                    const AtlasSettings& settings) {
+                                    const AtlasSettings& settings, double most) {
   const int gap = settings.gap();
   const auto placesAt = [&](double scale) -> std::optional<std::vector<QPoint>> {
     std::vector<QSize> padded;
@@ -24,10 +26,10 @@ std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::
     return packRectangles(padded, settings.size);
   };
   // By bisection; packing is not monotone, so the best seen is kept.
-  double scale = 1;
+  double scale = most;
   std::optional<std::vector<QPoint>> corners = placesAt(scale);
   if (!corners) {
-    double low = 0, high = 1;
+    double low = 0, high = most;
     for (int i = 0; i < 14; ++i) {
       const double middle = (low + high) / 2;
       if (auto found = placesAt(middle)) {
@@ -39,23 +41,21 @@ std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::
     }
   }
   if (!corners) return std::nullopt;
-  AtlasLayout layout{scale, {}, turned};
+  AtlasLayout layout{settings.size, scale, {}, turned};
   for (size_t i = 0; i < sizes.size(); ++i) {
     layout.places.emplace_back(corners->at(i) + QPoint(gap / 2, gap / 2), scaled(sizes[i], scale, turned[i]));
   }
   return layout;
 }
 
-}  // namespace
-
-std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSettings& settings) {
+std::optional<AtlasLayout> layOutIn(const std::vector<QSize>& sizes, const AtlasSettings& settings, double most) {
   const auto all = [&](auto rule) {
     std::vector<bool> turned;
     for (const QSize& size : sizes) turned.push_back(rule(size));
     return turned;
   };
-  std::optional<AtlasLayout> best = layOutAs(sizes, all([](const QSize&) { return false; }), settings);
-  if (!settings.rotate || (best && best->scale >= 1)) return best;
+  std::optional<AtlasLayout> best = layOutAs(sizes, all([](const QSize&) { return false; }), settings, most);
+  if (!settings.rotate || (best && best->scale >= most)) return best;
   const auto largest = std::max_element(sizes.begin(), sizes.end(), [](const QSize& a, const QSize& b) {
     return std::max(a.width(), a.height()) < std::max(b.width(), b.height());
   });
@@ -66,10 +66,27 @@ std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSe
         all([](const QSize& s) { return s.height() > s.width(); }),
         all([&](const QSize& s) { return (s.width() > s.height()) != (largest->width() > largest->height()); }),
         all([&](const QSize&) { return number++ % 2 == 1; })}) {
-    std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings);
+    std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings, most);
     if (other && (!best || other->scale > best->scale * 1.001)) best = std::move(other);
   }
   return best;
+}
+
+}  // namespace
+
+std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSettings& settings) {
+  int longest = 1;
+  for (const QSize& size : sizes) longest = std::max({longest, size.width(), size.height()});
+  const double most = settings.leafPixels > 0 ? std::min(1.0, static_cast<double>(settings.leafPixels) / longest) : 1;
+  if (settings.size > 0) return layOutIn(sizes, settings, most);
+  std::optional<AtlasLayout> layout;
+  AtlasSettings tried = settings;
+  for (tried.size = kLeastSide; tried.size <= kMostAutomatic; tried.size *= 2) {
+    layout = layOutIn(sizes, tried, most);
+    // At a small side the gap would be cut short.
+    if (layout && layout->scale >= most && tried.gap() >= std::min(settings.gap(), kMostAutomatic / 8)) break;
+  }
+  return layout;
 }
 
 }  // namespace windfall::model

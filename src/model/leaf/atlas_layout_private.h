@@ -11,13 +11,15 @@
 namespace windfall::model {
 
 struct AtlasLayout {
+  int side = 0;  ///< px
   double scale = 1;
   std::vector<QRect> places;
   std::vector<bool> turned;
 };
 
-/// The largest common scale, 1 at most, at which all textures fit with gaps; with rotation the best of lying as they
-/// are, all upright, all on their side, and as the largest does.
+/// The largest common scale at which all textures fit with gaps, at most 1 or what `leafPixels` asks for; with rotation
+/// the best of lying as they are, all upright, all on their side, and as the largest does. Of an automatic size the
+/// smallest side from 64 to 8192 at which they need not be smaller than wanted, else the largest.
 std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSettings& settings);
 
 }  // namespace windfall::model

@@ -12,7 +12,7 @@ constexpr int kLeastGap = 8;  // px, doubled for each mip level that must stay c
 
 int AtlasSettings::gap() const {
   const int wanted = mipLevels > 0 ? kLeastGap << std::min(mipLevels, 12) : 0;
-  return std::max(padding, std::min(wanted, size / 8));
+  return std::max(padding, size > 0 ? std::min(wanted, size / 8) : wanted);
 }
 
 QString nameOf(AtlasPacker packer) { return QString::fromLatin1(kNames[static_cast<size_t>(packer)]); }

@@ -15,14 +15,15 @@ enum class AtlasPacker {
 };
 
 struct AtlasSettings {
-  int size = 2048;     ///< side, a power of two
+  int size = 0;        ///< side, a power of two; 0: the smallest that holds the leaves as large as they are wanted
   int padding = 16;    ///< px at least between leaves, filled with the leaves' own colours
   int mipLevels = 1;   ///< that must stay free of neighbours: the gap is at least 8 px, doubled for each
   bool rotate = true;  ///< leaves may lie on their side where that packs better
   AtlasPacker packer = AtlasPacker::Plain;
+  int leafPixels = 0;  ///< wanted long side of the largest leaf, px; 0: as its texture was made
   bool operator==(const AtlasSettings&) const = default;
 
-  /// Gap between leaves in px: padding or what the mip levels want, an eighth of the side at most.
+  /// Gap between leaves in px: padding or what the mip levels want, an eighth of the side at most (where it is known).
   int gap() const;
 };
 

@@ -90,6 +90,14 @@ QImage fieldPicture(const LeafStages& stages, LeafField field, FieldScale& scale
   }
 }
 
+namespace {
+/// A sixth of the colour over a light grey.
+QRgb paler(QRgb colour) {
+  const auto mixed = [](int channel) { return (channel + 5 * 205) / 6; };
+  return qRgb(mixed(qRed(colour)), mixed(qGreen(colour)), mixed(qBlue(colour)));
+}
+}  // namespace
+
 QRgb regionColour(int label) {
   const auto seed = static_cast<std::uint32_t>(label);
   const float hue = std::fmod(0.61803399f * static_cast<float>(label), 1.f);
@@ -108,7 +116,8 @@ QImage regionPicture(const LeafStages& stages, const LabelField& regions, const 
       if (label <= 0 || label > static_cast<qint32>(colourOf.size())) continue;
       const bool edge = (x + 1 < width && regions.values[i + 1] != label) ||
                         (y + 1 < height && regions.values[i + static_cast<size_t>(width)] != label);
-      row[x] = edge ? qRgba(20, 20, 20, 255) : regionColour(colourOf[static_cast<size_t>(label - 1)]);
+      const int number = colourOf[static_cast<size_t>(label - 1)];
+      row[x] = edge ? qRgba(20, 20, 20, 255) : number < 0 ? paler(regionColour(-number)) : regionColour(number);
     }
   }
   return overPhoto(stages, image);

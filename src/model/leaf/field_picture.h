@@ -25,7 +25,8 @@ QImage fieldPicture(const LeafStages& stages, LeafField field, FieldScale& scale
 /// The colour of a region by its number; neighbours in number are far apart in hue.
 QRgb regionColour(int region);
 
-/// Regions of a leaf over its photo, region i + 1 in the colour of `colourOf[i]`, borders dark.
+/// Regions of a leaf over its photo, region i + 1 in the colour of `colourOf[i]`, borders dark. Negative: the colour of
+/// the number without its sign, much paler.
 QImage regionPicture(const LeafStages& stages, const LabelField& regions, const std::vector<int>& colourOf);
 
 }  // namespace windfall::model

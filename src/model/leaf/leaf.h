@@ -58,6 +58,7 @@ struct ShapeParameters {
 struct RegionParameters {
   bool scaleFree = true;  ///< areas compared as a ratio of shares; false: in pixels, as in the thesis
   double best = 0.2;      ///< share of the example's regions, by similarity, that one is drawn from
+  bool mix = true;        ///< of several examples each region takes its own choice; false: variants take them in turn
   bool hold = false;      ///< the same choice for every variant, by `seed`; only colours are drawn again
   quint64 seed = 1;
   bool operator==(const RegionParameters&) const = default;
@@ -134,7 +135,7 @@ struct Leaf {
   std::vector<QPointF> markers;         ///< region markers, px; empty: automatic
   Ruler ruler;                          ///< wins over bladeLength
   double bladeLength = 0.08;            ///< m, root to tip
-  std::vector<AssetId> examples;        ///< leaves that lend their colours, variants in turn; empty: this one
+  std::vector<AssetId> examples;        ///< leaves that lend their colours (RegionParameters::mix); empty: this one
   std::vector<RegionPair> regionPairs;  ///< choices of regions made by hand
   LeafParameters parameters;
   std::vector<Variant> variants;

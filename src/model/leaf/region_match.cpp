@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/leaf/joined_examples.h"
+
 namespace windfall::model {
 
 std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
@@ -23,7 +25,9 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
       const auto last = static_cast<double>(region.size() - 1);
       shape.low = region[static_cast<size_t>(0.02 * last)];
       shape.high = region[static_cast<size_t>(0.98 * last)];
-      shape.area = static_cast<double>(region.size()) / static_cast<double>(leaf);
+      const std::vector<double>& wholes = structure.regions.wholes;
+      const double whole = wholes.empty() ? static_cast<double>(leaf) : wholes[shapes.size()];
+      shape.area = static_cast<double>(region.size()) / whole;
       shape.lowest = region.front();
       shape.highest = region.back();
       shape.pixels = static_cast<double>(region.size());
@@ -108,9 +112,8 @@ std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& examp
     match = matchRegions(target.grown, example.seen, held, parameters);
   }
   for (const RegionPair& pair : target.made.regionPairs) {
-    if (pair.example != example.made.id && !(pair.example == AssetId{} && target.made.id == example.made.id)) continue;
     const int to = regionAt(target, target.grown.regions, pair.target);
-    const int from = regionAt(example, example.seen.regions, pair.source);
+    const int from = exampleRegionAt(example, pair.example, target.made.id, pair.source);
     if (to > 0 && from > 0 && to <= static_cast<int>(match.size())) match[static_cast<size_t>(to - 1)] = from;
   }
   return match;

@@ -29,6 +29,8 @@ struct LabelField {
   std::vector<qint32> values;
   int count = 0;
   int petiole = 0;  ///< the label that is the petiole, the last one; 0: there is none
+  /// Where several leaves stand in one field: pixels of the leaf that each region is part of; empty: of them all.
+  std::vector<double> wholes{};
 };
 
 /// What colours are read and placed by: where a pixel lies in its leaf.
@@ -46,6 +48,21 @@ struct LeafStructure {
 enum class Stage { Photo, Mask, Contour, Veins, Distance, Regions, Superpixels, Variants, Maps, Atlas };
 #pragma GCC diagnostic pop
 
+/// One of the leaves that stand side by side as one example (joinExamples).
+struct JoinedLeaf {
+  AssetId id;
+  QRect place;         ///< its working image in the whole, working pixels
+  QRect frame;         ///< its own, pixels of its photo
+  double scale = 1;    ///< its own: working pixels a pixel of its photo
+  QPointF root, tip;   ///< working pixels of the whole
+  int before = 0;      ///< its region n is the whole's region before + n, but for petioles, which are all the last one
+  int regions = 0;     ///< how many it has, the petiole too
+  bool stalk = false;  ///< its last one is a petiole
+
+  /// A place of its photo in working pixels of the whole.
+  QPointF toWhole(QPointF photo) const { return (photo - frame.topLeft()) * scale + place.topLeft(); }
+};
+
 /// What was derived from a leaf. Working images and variants cover `frame`, the leaf's part of the photo, with the long
 /// side `parameters.synthesis.size`: a small leaf on a large sheet gets a whole texture. Contour, root, tip, veins and
 /// markers are in photo pixels, fields and labels in working pixels.
@@ -58,13 +75,14 @@ struct LeafStages {
   std::vector<QPointF> contour;  ///< simplified by RDP
   QPointF root, tip;
   Veins veins;
-  std::vector<QPointF> petiole;  ///< from its free end to the root; empty where there is none
-  QImage alpha;                  ///< Grayscale8, working size: the mask with a soft margin
-  std::vector<QPointF> markers;  ///< in photo pixels, those that were used
-  LeafStructure grown;           ///< by the veins of this asset: the shape of new textures
-  LeafStructure seen;            ///< by the veins that the photo shows: where colours come from (Stage::Superpixels)
-  double bladeLength = 0.08;     ///< m, root to tip: by the ruler where there is one
-  Leaf made;                     ///< what all this was computed from, but for its variants
+  std::vector<QPointF> petiole;    ///< from its free end to the root; empty where there is none
+  QImage alpha;                    ///< Grayscale8, working size: the mask with a soft margin
+  std::vector<QPointF> markers;    ///< in photo pixels, those that were used
+  LeafStructure grown;             ///< by the veins of this asset: the shape of new textures
+  LeafStructure seen;              ///< by the veins that the photo shows: where colours come from (Stage::Superpixels)
+  double bladeLength = 0.08;       ///< m, root to tip: by the ruler where there is one
+  std::vector<JoinedLeaf> joined;  ///< empty: one leaf
+  Leaf made;                       ///< what all this was computed from, but for its variants
   Stage reached = Stage::Photo;
   std::map<QString, double> seconds;  ///< wall clock of each stage by name, of the last time that it was computed
   std::vector<Stage> computed;        ///< what the last call did not find up to date

@@ -11,10 +11,81 @@ namespace {
 
 constexpr double kCompactness = 0.12;  // distance runs from 0 to 1
 constexpr int kRounds = 5;
+constexpr double kMostArea = 2.2, kLeastArea = 0.25;  ///< of the mean
 
 struct Centre {
   double x = 0, y = 0, value = 0;
 };
+
+/// Calls `visit` for the neighbours of a pixel.
+template <class Visit>
+void neighbours(QSize size, size_t i, Visit visit) {
+  const auto width = static_cast<size_t>(size.width());
+  const size_t x = i % width, y = i / width;
+  if (x > 0) visit(i - 1);
+  if (x + 1 < width) visit(i + 1);
+  if (y > 0) visit(i - width);
+  if (y + 1 < static_cast<size_t>(size.height())) visit(i + width);
+}
+
+/// Pixels that no window reached follow a neighbour, breadth first; a superpixel that grew too large (along a petiole)
+/// is followed by a new one, and an island begins one.
+void reachAll(LabelField& labels, const LabelField& regions, double most, qint32 last) {
+  std::vector<int> areas(static_cast<size_t>(last) + 1, 0);
+  std::deque<size_t> queue;
+  for (size_t i = 0; i < labels.values.size(); ++i) {
+    if (labels.values[i] <= 0) continue;
+    ++areas[static_cast<size_t>(labels.values[i])];
+    queue.push_back(i);
+  }
+  const auto begin = [&] {
+    areas.push_back(0);
+    return static_cast<qint32>(areas.size() - 1);
+  };
+  for (size_t start = 0; start < labels.values.size() || !queue.empty();) {
+    if (queue.empty()) {
+      if (regions.values[start] > 0 && labels.values[start] == 0) {
+        labels.values[start] = begin();
+        queue.push_back(start);
+      }
+      ++start;
+      continue;
+    }
+    const size_t i = queue.front();
+    queue.pop_front();
+    neighbours(labels.size, i, [&](size_t next) {
+      if (regions.values[next] <= 0 || labels.values[next] > 0) return;
+      qint32 label = labels.values[i];
+      if (areas[static_cast<size_t>(label)] >= most) label = begin();
+      ++areas[static_cast<size_t>(label)];
+      labels.values[next] = label;
+      queue.push_back(next);
+    });
+  }
+}
+
+/// Superpixels smaller than `least` px become part of the smallest beside them.
+void takeInFragments(LabelField& labels, double least) {
+  std::vector<int> areas(1, 0);
+  for (const qint32 label : labels.values) {
+    if (static_cast<size_t>(label) >= areas.size()) areas.resize(static_cast<size_t>(label) + 1, 0);
+    ++areas[static_cast<size_t>(label)];
+  }
+  std::vector<qint32> into(areas.size(), 0);
+  for (size_t i = 0; i < labels.values.size(); ++i) {
+    const qint32 own = labels.values[i];
+    if (own <= 0 || areas[static_cast<size_t>(own)] >= least) continue;
+    neighbours(labels.size, i, [&](size_t next) {
+      const qint32 other = labels.values[next];
+      qint32& best = into[static_cast<size_t>(own)];
+      if (other <= 0 || other == own || areas[static_cast<size_t>(other)] < least) return;
+      if (best == 0 || areas[static_cast<size_t>(other)] < areas[static_cast<size_t>(best)]) best = other;
+    });
+  }
+  for (qint32& label : labels.values) {
+    if (into[static_cast<size_t>(label)] > 0) label = into[static_cast<size_t>(label)];
+  }
+}
 
 }  // namespace
 
@@ -81,28 +152,11 @@ LabelField makeSuperpixels(const ScalarField& distance, const LabelField& region
       if (counts[k] > 0) centres[k] = {sums[k].x / counts[k], sums[k].y / counts[k], sums[k].value / counts[k]};
     }
   }
-  // Pixels that no window reached follow a neighbour, breadth first.
-  std::deque<size_t> queue;
+  reachAll(labels, regions, kMostArea * spacing * spacing, static_cast<qint32>(centres.size()));
+  takeInFragments(labels, kLeastArea * static_cast<double>(area) / std::max(1, count));
+  // Labels that ended empty: numbers without gaps.
+  std::vector<qint32> number(static_cast<size_t>(*std::max_element(labels.values.begin(), labels.values.end())) + 1, 0);
   for (size_t i = 0; i < labels.values.size(); ++i) {
-    if (labels.values[i] > 0) queue.push_back(i);
-  }
-  while (!queue.empty()) {
-    const size_t i = queue.front();
-    queue.pop_front();
-    const int x = static_cast<int>(i % static_cast<size_t>(width)),
-              y = static_cast<int>(i / static_cast<size_t>(width));
-    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-      if (x + dx < 0 || y + dy < 0 || x + dx >= width || y + dy >= height) continue;
-      const size_t next = at(x + dx, y + dy);
-      if (regions.values[next] <= 0 || labels.values[next] > 0) continue;
-      labels.values[next] = labels.values[i];
-      queue.push_back(next);
-    }
-  }
-  // Islands that nothing touches, and labels that ended empty: numbers without gaps.
-  std::vector<qint32> number(centres.size() + 1, 0);
-  for (size_t i = 0; i < labels.values.size(); ++i) {
-    if (regions.values[i] > 0 && labels.values[i] == 0) labels.values[i] = 1;
     if (labels.values[i] > 0 && number[static_cast<size_t>(labels.values[i])] == 0) {
       number[static_cast<size_t>(labels.values[i])] = ++labels.count;
     }

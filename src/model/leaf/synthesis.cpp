@@ -9,6 +9,7 @@
 #include "model/leaf/dilate.h"
 #include "model/leaf/guided.h"
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/joined_examples.h"
 #include "model/leaf/region_match.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/vein_frame.h"
@@ -38,8 +39,7 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
                                  const std::vector<int>& match, double guideWeight, quint64 seed, Progress& progress) {
   const VeinFrame targetFrame =
       findVeinFrame(target.grown, target.toWorking(target.root), target.toWorking(target.tip));
-  const VeinFrame exampleFrame =
-      findVeinFrame(example.seen, example.toWorking(example.root), example.toWorking(example.tip));
+  const VeinFrame lenderFrame = exampleFrame(example);
   const double length = QLineF(target.root, target.tip).length() * target.scale;
   const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
   const int finest =
@@ -48,7 +48,7 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
   for (int n = levels - 1; n >= finest; --n) {
     const double factor = std::exp2(n);
     pyramid.push_back({makePatchImage(target.grown, targetFrame, nullptr, factor),
-                       makePatchImage(example.seen, exampleFrame, colours.data(), factor)});
+                       makePatchImage(example.seen, lenderFrame, colours.data(), factor)});
   }
   const PatchImage last = pyramid.back().target;
   std::vector<float> result = synthesizeGuided(std::move(pyramid), match, guideWeight, seed, progress);

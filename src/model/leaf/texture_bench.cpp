@@ -8,6 +8,7 @@
 #include "kernels/random.h"
 #include "model/leaf/smoothing.h"
 #include "model/leaf/stages.h"
+#include "model/leaf/superpixel_pyramid.h"
 #include "model/leaf/superpixels.h"
 #include "model/leaf/thesis_stages.h"
 #include "model/leaf/working_colours.h"
@@ -60,8 +61,11 @@ std::vector<sim::Contender> variants() {
           {"classic with detail", make(false, true, 0)}};
 }
 
-/// The thesis's stages where ours differ: distances, five levels of SLIC each on its own, 100 sweeps; of both leaves.
-void thesisStages(const LeafStages& stages) {
+constexpr int kLevels[] = {64, 256, 1024, 4096, 16384};
+
+/// The thesis's stages where ours differ: distances, five levels of SLIC each on its own (a peer's, or ours), 100
+/// sweeps; of both leaves.
+void thesisStages(const LeafStages& stages, const SlicPeer* peer) {
   const QSize size = stages.grown.distance.size;
   for (const LeafStructure* structure : {&stages.grown, &stages.seen}) {
     std::vector<Tissue> types(structure->regions.values.size(), Tissue::Outside);
@@ -72,8 +76,12 @@ void thesisStages(const LeafStages& stages) {
     }
     const QPoint root = stages.toWorking(stages.root).toPoint();
     labelCorrectingDistance(types, size, root, {});
-    for (const int count : {64, 256, 1024, 4096, 16384}) {
-      makeSuperpixels(structure->distance, structure->regions, count);
+    for (const int count : kLevels) {
+      if (peer) {
+        peer->run(structure->distance, count);
+      } else {
+        makeSuperpixels(structure->distance, structure->regions, count);
+      }
     }
   }
   std::vector<float> colours = workingColours(stages);
@@ -83,7 +91,7 @@ void thesisStages(const LeafStages& stages) {
 }
 
 /// From the photo to the first variant.
-std::vector<sim::Contender> wholeLeaves() {
+std::vector<sim::Contender> wholeLeaves(const std::vector<SlicPeer>& peers) {
   const auto leaf = std::make_shared<const Leaf>(benchLeaf());
   const auto make = [leaf](bool guided, bool detail) {
     return [leaf, guided, detail] {
@@ -98,11 +106,41 @@ std::vector<sim::Contender> wholeLeaves() {
   Result<LeafStages> computed = computeStages(*leaf, Stage::Superpixels, progress);
   if (!computed) return {};
   const auto stages = std::make_shared<const LeafStages>(std::move(*computed));
-  return {
-      {"guided, photo to variant", make(true, true)},
-      {"classic, photo to variant", make(false, false)},
-      {"classic with detail, photo to variant", make(false, true)},
-      {"only the thesis's distances, SLIC of 5 levels, 100 Gauss-Seidel sweeps", [stages] { thesisStages(*stages); }}};
+  std::vector<sim::Contender> all{{"guided, photo to variant", make(true, true)},
+                                  {"classic, photo to variant", make(false, false)},
+                                  {"classic with detail, photo to variant", make(false, true)},
+                                  {"only the thesis's distances, SLIC of 5 levels, 100 Gauss-Seidel sweeps",
+                                   [stages] { thesisStages(*stages, nullptr); }}};
+  for (const SlicPeer& peer : peers) {
+    if (!peer.run) continue;
+    all.push_back({"the same with " + peer.name + " on each level", [stages, peer] { thesisStages(*stages, &peer); }});
+  }
+  return all;
+}
+
+/// Five levels of superpixels of one leaf.
+std::vector<sim::Contender> superpixelLevels(const std::vector<SlicPeer>& peers) {
+  Progress progress;
+  Result<LeafStages> computed = computeStages(benchLeaf(), Stage::Superpixels, progress);
+  if (!computed) return {};
+  const auto structure = std::make_shared<LeafStructure>(computed->grown);
+  std::vector<sim::Contender> all{{"finest level, the others merged from it",
+                                   [structure] {
+                                     structure->superpixels =
+                                         makeSuperpixels(structure->distance, structure->regions, kLevels[4]);
+                                     buildSuperpixelPyramid(*structure, nullptr, 5);
+                                   }},
+                                  {"our SLIC on each level", [structure] {
+                                     for (const int count : kLevels)
+                                       makeSuperpixels(structure->distance, structure->regions, count);
+                                   }}};
+  for (const SlicPeer& peer : peers) {
+    if (!peer.run) continue;
+    all.push_back({peer.name + " on each level", [structure, peer] {
+                     for (const int count : kLevels) peer.run(structure->distance, count);
+                   }});
+  }
+  return all;
 }
 
 std::vector<sim::Contender> stagesBefore() {
@@ -151,12 +189,19 @@ std::vector<sim::Contender> smoothings() {
 
 }  // namespace
 
-std::vector<sim::Benchmark> textureBenchmarks() {
-  return {{"leaf.time.variant", "A further variant of 1024 px", "s", 1, variants},
-          {"leaf.time.whole", "A leaf of 1024 px from its photo", "s", 1, wholeLeaves},
-          {"leaf.time.stages", "From a photo of 1024 px to its superpixels", "s", 1, stagesBefore},
-          {"leaf.time.distance", "Structural distance of 1024 px", "ms", 1e3, distances},
-          {"leaf.time.smoothing", "Smoothing of 1024 x 1024 px, three channels", "ms", 1e3, smoothings}};
+std::vector<sim::Benchmark> textureBenchmarks(const std::vector<SlicPeer>& peers) {
+  std::string absent;
+  for (const SlicPeer& peer : peers) {
+    if (!peer.run) absent += " (skipped: " + peer.name + ")";
+  }
+  return {
+      {"leaf.time.variant", "A further variant of 1024 px", "s", 1, variants},
+      {"leaf.time.whole", "A leaf of 1024 px from its photo" + absent, "s", 1, [peers] { return wholeLeaves(peers); }},
+      {"leaf.time.stages", "From a photo of 1024 px to its superpixels", "s", 1, stagesBefore},
+      {"leaf.time.distance", "Structural distance of 1024 px", "ms", 1e3, distances},
+      {"leaf.time.superpixels", "Five levels of superpixels, 1024 px" + absent, "ms", 1e3,
+       [peers] { return superpixelLevels(peers); }},
+      {"leaf.time.smoothing", "Smoothing of 1024 x 1024 px, three channels", "ms", 1e3, smoothings}};
 }
 
 }  // namespace windfall::model

@@ -1,6 +1,7 @@
 // What the gallery says about a leaf's variants.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/leaf/leaf.h"
@@ -15,8 +16,9 @@ struct VariantScore {
   double diversity = 0;  ///< CIE76 to the variant before, for the first to the second; 0 where there is only one
 };
 
-/// Scores the leaf's variants by its photo, at 512 px and by the veins that its parameters give now. One entry a
-/// variant; an error when cancelled or when the photo shows no leaf.
-Result<std::vector<VariantScore>> scoreVariants(const Leaf& leaf, Progress& progress);
+/// Scores the leaf's variants beside what lent them its colours (`lenders` in the order of Leaf::examples; none: the
+/// leaf itself), at 512 px and by the shapes and veins that its parameters give now. One entry a variant; an error when
+/// cancelled or when a photo shows no leaf.
+Result<std::vector<VariantScore>> scoreVariants(const Leaf& leaf, std::span<const Leaf> lenders, Progress& progress);
 
 }  // namespace windfall::model

@@ -23,6 +23,13 @@ using model::AtlasSettings;
 namespace {
 constexpr int kLeastSize = 8, kMostSize = 13;  // powers of two: 256 to 8192
 constexpr int kMips = 6;
+
+/// 0: automatic, then the powers of two.
+int indexOf(int size) {
+  if (size <= 0) return 0;
+  return 1 + std::clamp(int(std::lround(std::log2(size))) - kLeastSize, 0, kMostSize - kLeastSize);
+}
+
 }  // namespace
 
 AtlasPanel::AtlasPanel(model::Document& document, model::JobRunner& jobs, QWidget* parent)
@@ -60,12 +67,21 @@ QWidget* AtlasPanel::buildFields() {
   auto* panel = new FieldPanel(QStringLiteral("atlas"), this);
   panel->setFixedWidth(272);
   FieldGroup* packing = panel->addGroup(QStringLiteral("packing"), tr("Packing"));
-  QStringList sizes;
+  QStringList sizes{tr("Automatic")};
   for (int power = kLeastSize; power <= kMostSize; ++power) sizes << tr("%1 px").arg(1 << power);
-  size_ = packing->add(new ChoiceField(tr("Size"), sizes, int(std::log2(fresh.size)) - kLeastSize));
-  size_->setToolTip(tr("Side of the atlas; leaves are scaled down together when they do not fit"));
+  size_ = packing->add(new ChoiceField(tr("Size"), sizes, indexOf(fresh.size)));
+  size_->setToolTip(
+      tr("Side of the atlas. Automatic: the smallest that holds the leaves as large as they are wanted; leaves are "
+         "scaled down together when they do not fit"));
   connect(size_, &ChoiceField::edited, this, [this](int index) {
-    edit(tr("Atlas size"), {}, [index](AtlasSettings& s) { s.size = 1 << (kLeastSize + index); });
+    edit(tr("Atlas size"), {}, [index](AtlasSettings& s) { s.size = index > 0 ? 1 << (kLeastSize + index - 1) : 0; });
+  });
+  leafPixels_ = packing->add(new NumberField(
+      tr("Largest leaf"),
+      {.minimum = 0, .maximum = 4096, .defaultValue = double(fresh.leafPixels), .decimals = 0, .unit = tr("px")}));
+  leafPixels_->setToolTip(tr("Wanted long side of the largest leaf in the atlas; 0: as its texture was made"));
+  connect(leafPixels_, &NumberField::edited, this, [this](double value) {
+    edit(tr("Size of the leaves"), leafPixels_->gesture(), [value](AtlasSettings& s) { s.leafPixels = int(value); });
   });
   packer_ = packing->add(
       new ChoiceField(tr("For"), {tr("Plain files"), tr("glTF"), tr("Unity"), tr("Unreal")}, int(fresh.packer)));
@@ -129,7 +145,8 @@ void AtlasPanel::edit(const QString& text, const QString& merge, const std::func
 
 void AtlasPanel::refresh() {
   const AtlasSettings& now = document_.project().atlas;
-  size_->setValue(std::clamp(int(std::lround(std::log2(now.size))) - kLeastSize, 0, kMostSize - kLeastSize));
+  size_->setValue(indexOf(now.size));
+  leafPixels_->setValue(now.leafPixels);
   packer_->setValue(int(now.packer));
   padding_->setValue(now.padding);
   mips_->setValue(now.mipLevels);
@@ -166,7 +183,9 @@ void AtlasPanel::pack() {
         if (run != running_) return;
         atlas_ = packed;
         const int scale = qRound(100 * atlas_->scale);
-        note_->setText(tr("%n leaves at %1 % of their size", nullptr, int(atlas_->places.size())).arg(scale));
+        note_->setText(tr("%n leaves at %1 % of their size, in %2 × %2 px", nullptr, int(atlas_->places.size()))
+                           .arg(scale)
+                           .arg(atlas_->image.width()));
         showPicture();
       });
   connect(job, &model::Job::finished, this, [this, run] {

@@ -29,6 +29,8 @@ class AtlasPanel : public QWidget {
   ChoiceField* mip() const { return mip_; }
   ChoiceField* ground() const { return ground_; }
   ChoiceField* packer() const { return packer_; }
+  ChoiceField* sizeField() const { return size_; }
+  NumberField* leafPixels() const { return leafPixels_; }
 
  signals:
   void exportRequested(bool elsewhere);
@@ -48,7 +50,7 @@ class AtlasPanel : public QWidget {
   ImagePane* pane_;
   QLabel* note_;
   ChoiceField *size_, *packer_, *map_, *mip_, *ground_;
-  NumberField *padding_, *mips_;
+  NumberField *leafPixels_, *padding_, *mips_;
   CheckField *rotate_, *outlines_;
   std::shared_ptr<const model::Atlas> atlas_;
   bool stale_ = true;

@@ -211,6 +211,10 @@ void LeafInspector::addRegions() {
       [](LeafParameters& p, double v) { p.regions.best = v / 100; })
       ->setToolTip(tr("Share of the example's regions, most similar first, that one is drawn from"));
   flag(
+      regions, "regions.mix", tr("Mix examples"), defaults.mix,
+      tr("Of several examples every texture takes regions of all; else each texture takes one example, in turn"),
+      [](const LeafParameters& p) { return p.regions.mix; }, [](LeafParameters& p, bool on) { p.regions.mix = on; });
+  flag(
       regions, "regions.hold", tr("Hold choice"), false,
       tr("All variants take the same regions; only colours are drawn again"),
       [](const LeafParameters& p) { return p.regions.hold; }, [](LeafParameters& p, bool on) { p.regions.hold = on; });

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "model/export/exporter.h"
+#include "model/leaf/joined_examples.h"
 #include "model/leaf/mask.h"
 #include "model/leaf/mask_edit.h"
 #include "model/leaf/variant.h"
@@ -95,6 +96,7 @@ void LeafJobs::makeVariants(AssetId id, int count, const model::LeafStages* know
           examples.push_back(std::move(*made));
           done += 1;
         }
+        examples = model::lendersOf(of, std::move(examples));
         std::vector<model::Variant> variants;
         for (int i = 0; i < count; ++i) {
           progress.report(done / parts);

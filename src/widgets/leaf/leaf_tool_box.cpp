@@ -87,6 +87,14 @@ void LeafToolBox::setToolSize(double size) {
   emit toolChanged();
 }
 
+void LeafToolBox::setOption(const QString& id, double value, const QString& gesture) {
+  if (!pictures_.leaf()) return;
+  if (id == QLatin1String("size")) return setToolSize(value);
+  current().setOption(id, value, gesture, *this);
+  pane_.update();
+  emit toolUpdated();
+}
+
 std::optional<QPointF> LeafToolBox::currentRoot() const {
   const model::Leaf* shown = pictures_.leaf();
   if (shown && shown->root) return shown->root;

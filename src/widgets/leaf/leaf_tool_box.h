@@ -31,6 +31,9 @@ class LeafToolBox : public QObject, private ToolHost {
   /// [ and ]: a tenth larger or smaller, one pixel at least.
   void resizeTool(int direction);
   void setToolSize(double size);
+  /// What the current tool lets be set, and setting it.
+  std::vector<ToolOption> options() { return current().options(*this); }
+  void setOption(const QString& id, double value, const QString& gesture);
   /// Another mask, computed in the background from the shown one, as one undo step.
   void editMask(const QString& text, std::function<QImage(const QImage&)> edit);
 
@@ -38,6 +41,8 @@ class LeafToolBox : public QObject, private ToolHost {
   /// The region tool waits for a click in the example, or no longer.
   void regionChosen(std::optional<QPointF> target);
   void toolChanged();
+  /// The tool drew something, or was told a value: its options may have changed.
+  void toolUpdated();
   /// The tool works on this stage: it should be seen.
   void stageNeeded(windfall::model::Stage stage);
 
@@ -56,7 +61,10 @@ class LeafToolBox : public QObject, private ToolHost {
   void chooseRegion(std::optional<QPointF> target) override { emit regionChosen(target); }
   void previewMask(const QImage& mask, QRect dirty) override;
   double pixelSize() const override { return 1 / pane_.zoom(); }
-  void requestUpdate() override { pane_.update(); }
+  void requestUpdate() override {
+    pane_.update();
+    emit toolUpdated();
+  }
 
   model::Document& document_;
   model::JobRunner& jobs_;

@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "model/leaf/marker_image.h"
 #include "model/leaf/mask_edit.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/leaf/atlas_panel.h"
@@ -21,6 +22,7 @@
 #include "widgets/leaf/maps_view.h"
 #include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
+#include "widgets/leaf/tool_options.h"
 #include "widgets/leaf/variant_scores.h"
 #include "widgets/leaf/variant_strip.h"
 #include "widgets/look/empty_state.h"
@@ -50,6 +52,7 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
   strip_ = new VariantStrip(context.document, window);
   strip_->setScores(new VariantScores(context.document, context.jobs, strip_));
   toolBox_ = new LeafToolBox(context.document, context.jobs, *pictures_, *pane_, this);
+  toolOptions_->setToolBox(toolBox_);
 
   connect(toolBox_, &LeafToolBox::stageNeeded, this, &LeafWorkspace::setStage);
   connect(toolBox_, &LeafToolBox::toolChanged, this, [this] {
@@ -75,7 +78,10 @@ LeafWorkspace::LeafWorkspace(WorkspaceContext context, QWidget* window)
     pane_->replaceOverlay(LeafPictures::maskTint(pictures_->mask(), part), part.topLeft());
   });
   connect(pictures_, &LeafPictures::statesChanged, this, &LeafWorkspace::updateStates);
-  connect(pictures_, &LeafPictures::statesChanged, this, [this] { inspector_->showFound(pictures_->stages()); });
+  connect(pictures_, &LeafPictures::statesChanged, this, [this] {
+    inspector_->showFound(pictures_->stages());
+    tellOfMarkers();
+  });
   connect(inspector_, &LeafInspector::loadVeinsRequested, this, &LeafWorkspace::loadVeins);
   connect(pane_, &ImagePane::pointed, this, [this](QPointF at) {
     pointer_ = at;
@@ -150,6 +156,8 @@ void LeafWorkspace::buildCanvas(QWidget* window) {
   stack_->addWidget(sideBySide);
   stack_->addWidget(atlas_);
   column->addWidget(stageBar_);
+  toolOptions_ = new ToolOptions(canvas_);
+  column->addWidget(toolOptions_);
   column->addWidget(stack_, 1);
   canvas_->setFocusProxy(pane_);
 }
@@ -267,6 +275,7 @@ void LeafWorkspace::setStage(Stage stage) {
   variantsShown_ = stage >= Stage::Variants;
   pictures_->want(std::min(stage, Stage::Variants));
   const bool any = bool(context_.document.project().leaf(leaf()));
+  toolOptions_->setVisible(stage != Stage::Atlas);
   stack_->setCurrentIndex(!any ? 0 : stage == Stage::Atlas ? 2 : 1);
   updatePicture();
 }
@@ -276,6 +285,14 @@ void LeafWorkspace::updateStates() {
     stageBar_->setState(Stage(i), pictures_->state(Stage(i)));
   }
   pane_->update();
+}
+
+void LeafWorkspace::tellOfMarkers() {
+  const Leaf* shown = pictures_->leaf();
+  if (!shown || !pictures_->isUpToDate(Stage::Regions) || toldOf_ == shown->markers) return;
+  toldOf_ = shown->markers;
+  const Status good = model::checkMarkers(*pictures_->stages());
+  if (!good) emit message(QString::fromStdString(good.error().message), true);
 }
 
 void LeafWorkspace::updatePicture() {

@@ -17,6 +17,7 @@ class LeafPictures;
 class LeafToolBox;
 class RegionMatchView;
 class StageBar;
+class ToolOptions;
 class VariantStrip;
 
 class LeafWorkspace : public Workspace {
@@ -50,6 +51,7 @@ class LeafWorkspace : public Workspace {
   VariantStrip& variants() { return *strip_; }
   RegionMatchView& regionMatch() { return *match_; }
   AtlasPanel& atlas() { return *atlas_; }
+  ToolOptions& toolOptions() { return *toolOptions_; }
   LeafInspector& numbers() { return *inspector_; }
 
  private:
@@ -57,6 +59,8 @@ class LeafWorkspace : public Workspace {
   QString askForPhoto(const QString& title);
   void updateStates();
   void updatePicture();
+  /// Says once what is wrong with markers by hand.
+  void tellOfMarkers();
   void updateStatus();
   void makeVariants(int count);
   void addMaskActions(QMenu& menu);
@@ -75,6 +79,8 @@ class LeafWorkspace : public Workspace {
   QWidget* canvas_;
   QStackedWidget* stack_;
   StageBar* stageBar_;
+  ToolOptions* toolOptions_;
+  std::vector<QPointF> toldOf_;  ///< the markers that were last looked at
   ImagePane* pane_;
   LeafToolBox* toolBox_;
   RegionMatchView* match_;

@@ -1,30 +1,52 @@
 #include "widgets/leaf/region_match_view.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "model/leaf/joined_examples.h"
 #include "model/leaf/region_match.h"
-#include "widgets/fields/choice_field.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/look/look.h"
 
 namespace windfall::widgets {
 
+using model::AssetId;
+using model::LeafStages;
+
 namespace {
+
+constexpr int kMostRows = 5;
 
 /// What one run gives.
 struct MatchResult {
-  std::shared_ptr<const model::LeafStages> example;
+  std::map<AssetId, std::shared_ptr<const LeafStages>> known;
   MipImage photo, examplePicture, targetPicture;
   std::vector<int> match;
 };
 
 /// The match of one of the seeds that variants are made with.
-std::vector<int> matchOf(const model::LeafStages& target, const model::LeafStages& example, quint64 seed) {
+std::vector<int> matchOf(const LeafStages& target, const LeafStages& example, quint64 seed) {
   RandomSequence random(seed, 211);
   return model::chooseRegions(target, example, random);
+}
+
+/// The numbers of a leaf's regions among those of the example that it is part of; empty: it is no part of it.
+std::vector<int> numbersIn(const LeafStages& example, const LeafStages& leaf) {
+  const model::LabelField& own = leaf.seen.regions;
+  std::vector<int> numbers;
+  int before = 0;
+  bool found = example.joined.empty();
+  for (const model::JoinedLeaf& part : example.joined) {
+    if (part.id == leaf.made.id) before = part.before, found = true;
+  }
+  if (!found) return numbers;
+  for (int n = 1; n <= own.count; ++n) {
+    numbers.push_back(n == own.petiole && !example.joined.empty() ? example.seen.regions.petiole : before + n);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -36,26 +58,31 @@ RegionMatchView::RegionMatchView(model::Document& document, model::JobRunner& jo
       jobs_(jobs),
       pictures_(pictures),
       pane_(new ImagePane(this)),
-      examples_(new ComboBox(this)),
+      list_(new QListWidget(this)),
       hint_(new QLabel(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 0, 0, 0);
   column->setSpacing(0);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
-  row->addWidget(new QLabel(tr("Example"), this));
-  row->addWidget(examples_, 1);
-  column->addLayout(row);
+  auto* title = new QLabel(tr("Colours from"), this);
+  title->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
+  title->setBuddy(list_);
+  column->addWidget(title);
+  column->addWidget(list_);
   column->addWidget(pane_, 1);
   hint_->setProperty("hint", true);
   hint_->setWordWrap(true);
   hint_->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
   column->addWidget(hint_);
-  examples_->setToolTip(tr("The leaf that lends its colours; with several, variants take them in turn"));
+  list_->setToolTip(
+      tr("Leaves with a tick lend their colours; with several, each region takes those of one of them.\n"
+         "Click a name to see that leaf below."));
+  list_->setStyleSheet(QStringLiteral("QListWidget { padding-left: %1px; }").arg(kGrid));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMinimumWidth(220);
   hide();
   choose({});
-  connect(examples_, &QComboBox::activated, this, &RegionMatchView::setExample);
+  connect(list_, &QListWidget::currentRowChanged, this, &RegionMatchView::show);
+  connect(list_, &QListWidget::itemChanged, this, &RegionMatchView::whenTicked);
   connect(&document_, &model::Document::changed, this, &RegionMatchView::whenChanged);
   connect(&pictures_, &LeafPictures::pictureChanged, this, [this] {
     if (active_) compute();
@@ -63,19 +90,37 @@ RegionMatchView::RegionMatchView(model::Document& document, model::JobRunner& jo
   connect(pane_, &ImagePane::released, this, [this](const ToolEvent& event) { pairWith(event.position); });
 }
 
-model::AssetId RegionMatchView::example() const {
+std::vector<AssetId> RegionMatchView::lenders() const {
   const model::Leaf* leaf = pictures_.leaf();
   if (!leaf) return {};
-  return leaf->examples.empty() ? leaf->id : leaf->examples.front();
+  return leaf->examples.empty() ? std::vector<AssetId>{leaf->id} : leaf->examples;
+}
+
+AssetId RegionMatchView::example() const {
+  if (document_.project().leaf(shown_)) return shown_;
+  const std::vector<AssetId> all = lenders();
+  return all.empty() ? AssetId() : all.front();
 }
 
 void RegionMatchView::listLeaves() {
-  examples_->clear();
-  for (const model::Leaf& leaf : document_.project().leaves) {
-    examples_->addItem(leaf.id == pictures_.leafId() ? tr("%1 (itself)").arg(leaf.name) : leaf.name,
-                       QVariant::fromValue(leaf.id.value));
+  const QSignalBlocker quiet(list_);
+  const std::vector<model::Leaf>& leaves = document_.project().leaves;
+  const std::vector<AssetId> lending = lenders();
+  // Rows stay where they can: this may be the answer to a tick in one of them.
+  while (list_->count() > int(leaves.size())) delete list_->takeItem(list_->count() - 1);
+  while (list_->count() < int(leaves.size())) new QListWidgetItem(list_);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const model::Leaf& leaf = leaves[i];
+    QListWidgetItem* item = list_->item(int(i));
+    item->setText(leaf.id == pictures_.leafId() ? tr("%1 (itself)").arg(leaf.name) : leaf.name);
+    item->setData(Qt::UserRole, QVariant::fromValue(leaf.id.value));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    const bool lends = std::find(lending.begin(), lending.end(), leaf.id) != lending.end();
+    item->setCheckState(lends ? Qt::Checked : Qt::Unchecked);
+    if (leaf.id == example()) list_->setCurrentItem(item);
   }
-  examples_->setCurrentIndex(examples_->findData(QVariant::fromValue(example().value)));
+  const int rows = std::clamp(list_->count(), 1, kMostRows);
+  list_->setFixedHeight(rows * std::max(24, list_->sizeHintForRow(0)) + 2 * list_->frameWidth());
 }
 
 void RegionMatchView::setActive(bool active) {
@@ -85,6 +130,7 @@ void RegionMatchView::setActive(bool active) {
   targetPicture_ = {};
   match_.clear();
   if (active) {
+    shown_ = {};
     listLeaves();
     compute();
   } else {
@@ -97,70 +143,114 @@ void RegionMatchView::setActive(bool active) {
 void RegionMatchView::choose(std::optional<QPointF> target) {
   target_ = target;
   hint_->setText(target ? tr("Now click the region here that shall lend its colours.")
-                        : tr("Equal colours go together. Click a region of the target first."));
+                        : tr("Equal colours go together, pale ones with another leaf. Click a region of the target "
+                             "first."));
 }
 
-void RegionMatchView::setExample(int index) {
-  const model::AssetId id{examples_->itemData(index).toULongLong()};
+void RegionMatchView::setLenders(std::vector<AssetId> lenders) {
   const model::Leaf* leaf = pictures_.leaf();
-  if (!leaf || id == example()) return;
-  // The chosen one comes first; others that lend too stay behind it.
-  std::vector<model::AssetId> examples = leaf->examples;
-  std::erase(examples, id);
-  if (!examples.empty()) examples.erase(examples.begin());
-  if (id != leaf->id || !examples.empty()) examples.insert(examples.begin(), id);
-  document_.setLeaf(leaf->id, &model::Leaf::examples, examples, model::Aspect::LeafExamples, tr("Choose the example"));
+  if (!leaf) return;
+  // None, or the leaf alone, is the same.
+  if (lenders.size() == 1 && lenders.front() == leaf->id) lenders.clear();
+  document_.setLeaf(leaf->id, &model::Leaf::examples, lenders, model::Aspect::LeafExamples, tr("Choose examples"));
+}
+
+void RegionMatchView::whenTicked(QListWidgetItem* item) {
+  const AssetId id{item->data(Qt::UserRole).toULongLong()};
+  std::vector<AssetId> lending = lenders();
+  std::erase(lending, id);
+  if (item->checkState() == Qt::Checked) lending.push_back(id);
+  shown_ = id;
+  setLenders(lending);
+  listLeaves();
+  compute();
+}
+
+void RegionMatchView::show(int row) {
+  if (row < 0) return;
+  shown_ = AssetId{list_->item(row)->data(Qt::UserRole).toULongLong()};
+  compute();
 }
 
 void RegionMatchView::whenChanged(const model::Change& change) {
   if (!active_) return;
-  if (change.aspect == model::Aspect::Everything || change.aspect == model::Aspect::Assets) listLeaves();
   const bool own = change.asset == pictures_.leafId();
+  if (change.aspect == model::Aspect::Everything || change.aspect == model::Aspect::Assets) listLeaves();
+  const std::vector<AssetId> lending = lenders();
   if (change.aspect == model::Aspect::LeafExamples && own) {
     listLeaves();
     compute();
-  } else if (change.aspect == model::Aspect::LeafParameters || change.asset == example()) {
+  } else if (change.aspect == model::Aspect::LeafParameters || change.asset == example() ||
+             std::find(lending.begin(), lending.end(), change.asset) != lending.end()) {
     compute();
   }
 }
 
 void RegionMatchView::compute() {
   const model::Leaf* leaf = pictures_.leaf();
-  const model::Leaf* lender = document_.project().leaf(example());
-  if (!leaf || !lender) return;
-  model::Leaf target = *leaf, from = *lender;
+  if (!leaf) return;
+  model::Leaf target = *leaf;
   target.variants.clear();
-  from.variants.clear();
-  const bool itself = from.id == target.id;
+  // In the order of the examples, as variants have them; the one shown last if it lends nothing.
+  std::vector<model::Leaf> leaves;
+  for (const AssetId id : lenders()) {
+    if (const model::Leaf* lender = document_.project().leaf(id)) leaves.push_back(*lender);
+  }
+  const std::size_t lending = leaves.size();
+  const AssetId shown = example();
+  const auto isShown = [shown](const model::Leaf& one) { return one.id == shown; };
+  if (std::none_of(leaves.begin(), leaves.end(), isShown)) {
+    if (const model::Leaf* other = document_.project().leaf(shown)) leaves.push_back(*other);
+  }
+  if (leaves.empty()) return;
+  for (model::Leaf& one : leaves) one.variants.clear();
   const quint64 seed = leaf->variants.empty() ? 1 : leaf->variants.back().seed;
   const quint64 run = running_ = ++lastRun_;
   model::Job* job = jobs_.start<MatchResult>(
       tr("Matching regions of %1").arg(leaf->name), QStringLiteral("region-match"),
-      [target = std::move(target), from = std::move(from), itself, seed, known = pictures_.deepestStages(),
-       knownExample = stages_](model::Progress& progress) -> Result<MatchResult> {
+      [target = std::move(target), leaves = std::move(leaves), lending, shown, seed,
+       knownTarget = pictures_.deepestStages(),
+       knownExamples = known_](model::Progress& progress) -> Result<MatchResult> {
         MatchResult result;
-        Result<model::LeafStages> to = model::computeStages(
-            target, itself ? model::Stage::Superpixels : model::Stage::Regions, progress, known.get());
+        const bool itself =
+            std::any_of(leaves.begin(), leaves.end(), [&](const model::Leaf& one) { return one.id == target.id; });
+        Result<LeafStages> to = model::computeStages(target, itself ? model::Stage::Superpixels : model::Stage::Regions,
+                                                     progress, knownTarget.get());
         if (!to) return to.error();
-        if (itself) {
-          result.example = std::make_shared<model::LeafStages>(*to);
-        } else {
-          Result<model::LeafStages> its =
-              model::computeStages(from, model::Stage::Superpixels, progress, knownExample.get());
-          if (!its) return Error{from.name.toStdString() + ": " + its.error().message, its.error().cancelled};
-          result.example = std::make_shared<model::LeafStages>(std::move(*its));
+        std::vector<LeafStages> examples;
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+          const model::Leaf& one = leaves[i];
+          const auto known = knownExamples.find(one.id);
+          Result<LeafStages> its =
+              one.id == target.id ? Result<LeafStages>(*to)
+                                  : model::computeStages(one, model::Stage::Superpixels, progress,
+                                                         known == knownExamples.end() ? nullptr : known->second.get());
+          if (!its) return Error{one.name.toStdString() + ": " + its.error().message, its.error().cancelled};
+          if (i < lending) examples.push_back(*its);
+          result.known[one.id] = std::make_shared<LeafStages>(std::move(*its));
         }
-        result.match = matchOf(*to, *result.example, seed);
-        std::vector<int> own(static_cast<size_t>(result.example->seen.regions.count));
-        for (size_t i = 0; i < own.size(); ++i) own[i] = static_cast<int>(i) + 1;
-        result.photo = MipImage(result.example->photo);
-        result.examplePicture = MipImage(model::regionPicture(*result.example, result.example->seen.regions, own));
-        result.targetPicture = MipImage(model::regionPicture(*to, to->grown.regions, result.match));
+        const LeafStages& looked = *result.known.at(shown);
+        // Where variants take examples in turn the match is with the one that is shown.
+        examples = model::lendersOf(*to, std::move(examples));
+        const LeafStages& example = examples.size() == 1 ? examples.front() : looked;
+        result.match = matchOf(*to, example, seed);
+        std::vector<int> own = numbersIn(example, looked), colours = result.match;
+        if (example.joined.empty() && looked.made.id != example.made.id) own.clear();
+        for (int& number : colours) {
+          if (std::find(own.begin(), own.end(), number) == own.end()) number = -number;
+        }
+        if (own.empty()) {
+          // It lends nothing: numbers that nobody has, pale.
+          for (int n = 1; n <= looked.seen.regions.count; ++n) own.push_back(-(example.seen.regions.count + n));
+        }
+        result.photo = MipImage(looked.photo);
+        result.examplePicture = MipImage(model::regionPicture(looked, looked.seen.regions, own));
+        result.targetPicture = MipImage(model::regionPicture(*to, to->grown.regions, colours));
         return result;
       },
       [this, run](MatchResult result) {
         if (run != running_) return;
-        stages_ = result.example;
+        known_ = std::move(result.known);
         match_ = std::move(result.match);
         targetPicture_ = std::move(result.targetPicture);
         pane_->setBase(std::move(result.photo));
@@ -175,17 +265,30 @@ void RegionMatchView::compute() {
 
 void RegionMatchView::pairWith(QPointF source) {
   const model::Leaf* leaf = pictures_.leaf();
-  const model::LeafStages* target = pictures_.stages();
-  if (!leaf || !target || !target_ || !stages_) return;
-  if (model::regionAt(*stages_, stages_->seen.regions, source) == 0) return;
+  const LeafStages* target = pictures_.stages();
+  const AssetId from = example();
+  const auto known = known_.find(from);
+  if (!leaf || !target || !target_ || known == known_.end()) return;
+  if (model::regionAt(*known->second, known->second->seen.regions, source) == 0) return;
   const int region = model::regionAt(*target, target->grown.regions, *target_);
+  // With several examples in one texture a region has one partner among all of them.
+  const bool mixed = leaf->parameters.regions.mix;
   std::vector<model::RegionPair> pairs = leaf->regionPairs;
   std::erase_if(pairs, [&](const model::RegionPair& pair) {
-    return model::regionAt(*target, target->grown.regions, pair.target) == region && pair.example == example();
+    return model::regionAt(*target, target->grown.regions, pair.target) == region && (mixed || pair.example == from);
   });
-  pairs.push_back({*target_, example(), source});
+  pairs.push_back({*target_, from, source});
   choose({});
-  document_.setLeaf(leaf->id, &model::Leaf::regionPairs, pairs, model::Aspect::LeafExamples, tr("Match regions"));
+  const AssetId id = leaf->id;
+  std::vector<AssetId> lending = lenders();
+  const bool joins = std::find(lending.begin(), lending.end(), from) == lending.end();
+  if (joins) document_.undoStack().beginMacro(tr("Match regions"));
+  if (joins) {
+    lending.push_back(from);
+    setLenders(lending);
+  }
+  document_.setLeaf(id, &model::Leaf::regionPairs, pairs, model::Aspect::LeafExamples, tr("Match regions"));
+  if (joins) document_.undoStack().endMacro();
 }
 
 }  // namespace windfall::widgets

@@ -20,9 +20,18 @@ void VariantScores::want(model::AssetId id) {
     all = all && known_.count(keys.back()) > 0;
   }
   if (all) return;
+  std::vector<model::Leaf> lenders;
+  for (const model::AssetId lender : leaf->examples) {
+    if (const model::Leaf* example = document_.project().leaf(lender)) {
+      lenders.push_back(*example);
+      lenders.back().variants.clear();
+    }
+  }
   jobs_.start<std::vector<model::VariantScore>>(
       tr("Scoring %n variants of %1", nullptr, int(keys.size())).arg(leaf->name), QStringLiteral("variant-scores"),
-      [snapshot = *leaf](model::Progress& progress) { return model::scoreVariants(snapshot, progress); },
+      [snapshot = *leaf, lenders = std::move(lenders)](model::Progress& progress) {
+        return model::scoreVariants(snapshot, lenders, progress);
+      },
       [this, keys](const std::vector<model::VariantScore>& scores) {
         for (std::size_t i = 0; i < keys.size() && i < scores.size(); ++i) known_[keys[i]] = scores[i];
         emit changed();

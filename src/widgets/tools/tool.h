@@ -6,6 +6,7 @@
 #include <QPointF>
 #include <QRect>
 #include <QString>
+#include <QStringList>
 #include <Qt>
 #include <functional>
 #include <memory>
@@ -59,6 +60,15 @@ class ToolHost {
   virtual void requestUpdate() = 0;
 };
 
+/// A number or choice of a tool, for the row above the canvas.
+struct ToolOption {
+  QString id, label, unit, help;  ///< all but the id translated
+  double value = 0;               ///< of a choice: its index
+  double minimum = 0, maximum = 1, standard = 0;
+  int decimals = 0;
+  QStringList choices = {};  ///< empty: a number, its slider logarithmic
+};
+
 class Tool {
  public:
   virtual ~Tool() = default;
@@ -74,6 +84,11 @@ class Tool {
   /// Diameter in photo pixels; 0: the tool has no size.
   virtual double size() const { return 0; }
   virtual void setSize(double) {}
+
+  /// What can be set now; by itself the size, where the tool has one.
+  virtual std::vector<ToolOption> options(ToolHost& host) const;
+  /// Options with an equal `gesture` are one undo step, where they are edits at all.
+  virtual void setOption(const QString& id, double value, const QString& gesture, ToolHost& host);
 
   virtual void press(const ToolEvent&, ToolHost&) {}
   virtual void move(const ToolEvent&, ToolHost&) {}

@@ -29,6 +29,44 @@ class VeinEditTool : public Tool {
   Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
   std::optional<model::Stage> stage() const override { return model::Stage::Veins; }
 
+  std::vector<ToolOption> options(ToolHost& host) const override {
+    const model::Veins veins = handVeins(host);
+    if (vein_ < 0 || vein_ >= int(veins.size())) return {};
+    const model::Vein& vein = veins[std::size_t(vein_)];
+    const auto width = [](const char* id, const QString& label, double value) {
+      return ToolOption{QString::fromLatin1(id),
+                        label,
+                        QStringLiteral("px"),
+                        QCoreApplication::translate("Tools",
+                                                    "Width of the chosen vein in pixels of the photo (+ and −: "
+                                                    "both)"),
+                        value,
+                        0.25,
+                        60,
+                        value,
+                        1};
+    };
+    return {width("startWidth", QCoreApplication::translate("Tools", "Width"), vein.startWidth),
+            width("endWidth", QCoreApplication::translate("Tools", "At its end"), vein.endWidth),
+            orderOption(vein.order, false)};
+  }
+  void setOption(const QString& id, double value, const QString& gesture, ToolHost& host) override {
+    veins_ = handVeins(host);
+    if (vein_ < 0 || vein_ >= int(veins_.size())) return;
+    model::Veins veins = veins_;
+    if (id == QLatin1String("order")) {
+      veins = model::withOrder(veins, vein_, static_cast<int>(value) + 1);
+    } else {
+      model::Vein& vein = veins[std::size_t(vein_)];
+      (id == QLatin1String("startWidth") ? vein.startWidth : vein.endWidth) = value;
+    }
+    host.document().setLeaf(host.leaf(), &model::Leaf::veins, veins, model::Aspect::LeafVeins,
+                            id == QLatin1String("order") ? QCoreApplication::translate("Tools", "Order of a vein")
+                                                         : QCoreApplication::translate("Tools", "Width of a vein"),
+                            gesture);
+    host.requestUpdate();
+  }
+
   void press(const ToolEvent& event, ToolHost& host) override {
     if (!(event.buttons & Qt::LeftButton)) return;
     const bool again = event.time - pressedAt_ < 400 && near(event.position, lastPress_, 4 * host.pixelSize());

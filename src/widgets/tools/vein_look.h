@@ -10,4 +10,8 @@ namespace windfall::widgets {
 /// moved. Finer veins that were grown stay as they are.
 model::Veins handVeins(ToolHost& host);
 
+/// The choice of an order; `automatic`: "By its place" comes first, else main veins do. Values are orders, less one
+/// where nothing is automatic.
+ToolOption orderOption(int order, bool automatic);
+
 }  // namespace windfall::widgets

@@ -27,7 +27,19 @@ class VeinPen : public Tool {
   QKeySequence shortcut() const override { return Qt::Key_P; }
   std::optional<model::Stage> stage() const override { return model::Stage::Veins; }
   double size() const override { return size_; }
-  void setSize(double size) override { size_ = std::clamp(size, 1.0, 2000.0); }
+  void setSize(double size) override { size_ = std::clamp(size, 6.0, 2000.0); }
+
+  std::vector<ToolOption> options(ToolHost&) const override {
+    return {
+        {QStringLiteral("width"), QCoreApplication::translate("Tools", "Width"), QStringLiteral("px"),
+         QCoreApplication::translate("Tools", "Where the vein begins, at full pressure; it ends at two fifths of it"),
+         size_ / kSizeOfWidth, 0.5, 60, size_ / kSizeOfWidth, 1},
+        orderOption(order_, true)};
+  }
+  void setOption(const QString& id, double value, const QString&, ToolHost&) override {
+    if (id == QLatin1String("width")) setSize(value * kSizeOfWidth);
+    if (id == QLatin1String("order")) order_ = static_cast<int>(value);
+  }
 
   void press(const ToolEvent& event, ToolHost& host) override {
     if (!(event.buttons & Qt::LeftButton)) return;
@@ -53,8 +65,9 @@ class VeinPen : public Tool {
     if (model::lengthOf(points_) < 6 * pixel) return;
     const double width = this->width();
     const model::Veins before = handVeins(host);
-    const model::Veins after = model::withVein(before, model::simplifyLine(points_, 1.2 * pixel), width, 0.4 * width,
-                                               std::max(14 * pixel, 2 * width));
+    model::Veins after = model::withVein(before, model::simplifyLine(points_, 1.2 * pixel), width, 0.4 * width,
+                                         std::max(14 * pixel, 2 * width));
+    if (order_ > 0) after = model::withOrder(std::move(after), static_cast<int>(after.size()) - 1, order_);
     host.document().setLeaf(host.leaf(), &model::Leaf::veins, after, model::Aspect::LeafVeins,
                             QCoreApplication::translate("Tools", "Draw a vein"));
   }
@@ -75,10 +88,12 @@ class VeinPen : public Tool {
 
  private:
   /// A twelfth of a mask brush: veins are thin.
-  double width() const { return std::max(1.0, size_ / 12 * widest_); }
+  double width() const { return std::max(0.5, size_ / kSizeOfWidth * widest_); }
+  static constexpr double kSizeOfWidth = 12;
 
   std::vector<QPointF> points_;
   double size_ = 48, widest_ = 1;
+  int order_ = 0;  ///< 0: one below the vein that it leaves
   bool active_ = false;
 };
 

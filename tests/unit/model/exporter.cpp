@@ -38,12 +38,12 @@ void ExporterTest::theRegistryNamesEachOnce() {
 
 void ExporterTest::parametersAreChecked() {
   const Exporter& atlas = *findExporter("atlas");
-  QCOMPARE(*parameterValue(atlas, {}, "size"), 2048.0);
+  QCOMPARE(*parameterValue(atlas, {}, "size"), 0.0);
   QCOMPARE(*parameterValue(atlas, {{"size", 512}}, "size"), 512.0);
-  for (const QJsonValue& bad : {QJsonValue(1), QJsonValue(1e9), QJsonValue(100.5), QJsonValue("512")}) {
+  for (const QJsonValue& bad : {QJsonValue(-1), QJsonValue(1e9), QJsonValue(100.5), QJsonValue("512")}) {
     const Result<double> value = parameterValue(atlas, {{"size", bad}}, "size");
     QVERIFY(!value);
-    QCOMPARE(QString::fromStdString(value.error().message), QString("size: expected a whole number from 64 to 16384"));
+    QCOMPARE(QString::fromStdString(value.error().message), QString("size: expected a whole number from 0 to 16384"));
   }
   QVERIFY(!parameterValue(atlas, {}, "colour"));
 }
