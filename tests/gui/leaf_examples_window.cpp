@@ -14,6 +14,7 @@
 #include "widgets/fields/number_field.h"
 #include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
+#include "widgets/leaf/leaf_jobs.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
 #include "widgets/leaf/leaf_workspace.h"
@@ -244,6 +245,18 @@ class LeafExamplesWindow : public QObject {
     shot("leaf_vein_numbers.png");
   }
 
+  void theInspectorShowsTheNumbersOfTheStage() {
+    for (const auto& [stage, id] :
+         {std::pair(Stage::Veins, "veins.laterals"), std::pair(Stage::Regions, "regions.best"),
+          std::pair(Stage::Distance, "costs.veinTissue"), std::pair(Stage::Contour, "epsilon")}) {
+      QTest::mouseClick(leaf_->stageBar().chip(stage), Qt::LeftButton);
+      NumberField* field = leaf_->numbers().number(QString::fromLatin1(id));
+      QVERIFY(field);
+      QVERIFY2(!field->visibleRegion().isEmpty(), id);
+    }
+    QVERIFY(settle());
+  }
+
   void markersInOnePlaceAreTold() {
     leaf_->setStage(Stage::Regions);
     QVERIFY(settle());
@@ -255,6 +268,86 @@ class LeafExamplesWindow : public QObject {
     editor_->document().setLeaf(id_, &model::Leaf::markers, {QPointF(-40, -40)}, model::Aspect::LeafMarkers, "Markers");
     QVERIFY(settle());
     QVERIFY2(saidWrong() && said().contains("no marker"), qPrintable(said()));
+  }
+
+  void severalLeavesInOnePhotoBecomeSeveralAssets() {
+    QImage sheet(760, 420, QImage::Format_RGB32);
+    sheet.fill(QColor(232, 230, 222));
+    QPainter painter(&sheet);
+    painter.drawImage(20, 20, test::paintedLeafPhoto({280, 373}));
+    painter.drawImage(400, 40, test::paintedLeafPhoto({240, 320}));
+    painter.end();
+    QVERIFY(sheet.save(at("sheet.png")));
+    QVERIFY(leaf_->openFile(at("sheet.png")));
+    QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(3), 30000);
+    QVERIFY(settle());
+    QVERIFY2(said().contains("2 leaves"), qPrintable(said()));
+    QAction* split = nullptr;
+    for (QAction* action : editor_->window().findChildren<QAction*>()) {
+      if (action->text().remove(QLatin1Char('&')) == QLatin1String("Separate Several Leaves")) split = action;
+    }
+    QVERIFY(split);
+    split->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(4), 30000);
+    QVERIFY(settle());
+    const std::vector<model::Leaf>& leaves = editor_->document().project().leaves;
+    QVERIFY(!leaves[2].mask.isNull() && !leaves[3].mask.isNull() && leaves[2].mask != leaves[3].mask);
+    // Both come from one step, the photo from another.
+    editor_->document().undoStack().undo();
+    QCOMPARE(editor_->document().project().leaves.size(), std::size_t(3));
+    editor_->document().undoStack().undo();
+    leaf_->show(id_);
+  }
+
+  void aVeinPictureDrawnElsewhereIsLoaded() {
+    LeafJobs jobs(editor_->document(), editor_->jobs());
+    QImage lines(480, 640, QImage::Format_Grayscale8);
+    lines.fill(0);
+    QPainter painter(&lines);
+    painter.setPen(QPen(Qt::white, 5));
+    painter.drawLine(240, 544, 240, 60);
+    painter.drawLine(240, 400, 360, 320);
+    painter.end();
+    QVERIFY(lines.save(at("lines.png")));
+    jobs.loadVeins(at("lines.png"), id_);
+    QTRY_COMPARE_WITH_TIMEOUT(shown().veins.size(), std::size_t(2), 30000);
+    QCOMPARE(shown().veins[1].order, 2);
+    // One of another size: told, and the veins stay.
+    QVERIFY(lines.scaled(100, 100).save(at("small.png")));
+    jobs.loadVeins(at("small.png"), id_);
+    QTRY_VERIFY_WITH_TIMEOUT(saidWrong(), 30000);
+    QCOMPARE(shown().veins.size(), std::size_t(2));
+  }
+
+  void aBareMaskTakesColoursOfAnotherLeaf() {
+    QImage mask(360, 480, QImage::Format_Grayscale8);
+    mask.fill(0);
+    QPainter painter(&mask);
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(60, 40, 240, 400);
+    painter.end();
+    QVERIFY(mask.save(at("bare.png")));
+    QVERIFY(leaf_->openFile(at("bare.png")));
+    QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(3), 30000);
+    QVERIFY(settle());
+    const model::AssetId bare = editor_->document().project().leaves.back().id;
+    QCOMPARE(leaf_->leaf(), bare);
+    model::LeafParameters parameters = shown().parameters;
+    editor_->document().setLeaf(bare, &model::Leaf::parameters, parameters, model::Aspect::LeafParameters, "Size");
+    leaf_->toolBox().choose(QStringLiteral("link"));
+    QVERIFY(settle());
+    tick(1);
+    tick(2);
+    QCOMPARE(editor_->document().project().leaf(bare)->examples, std::vector<model::AssetId>{other_});
+    leaf_->variants().countBox()->setValue(1);
+    QTest::mouseClick(leaf_->variants().makeButton(), Qt::LeftButton);
+    QVERIFY(editor_->settle(60));
+    const std::vector<model::Variant>& made = editor_->document().project().leaf(bare)->variants;
+    QCOMPARE(made.size(), std::size_t(1));
+    const QColor middle = made[0].image.pixelColor(made[0].image.rect().center() + QPoint(20, 0));
+    QVERIFY(middle.alpha() == 255 && middle.red() > middle.green() + 30);
+    shot("leaf_bare_mask.png");
+    leaf_->show(id_);
   }
 
   void badFilesAreOneLineAndNothingIsLost_data() {

@@ -3,14 +3,18 @@
 #include <QImageReader>
 #include <QStringList>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/leaf_settings.h"
 #include "model/export/compare_sheet.h"
 #include "model/export/leaf_folder.h"
 #include "model/leaf/joined_examples.h"
 #include "model/leaf/marker_image.h"
+#include "model/leaf/mask.h"
+#include "model/leaf/mask_edit.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/variant.h"
 #include "model/leaf/vein_tracing.h"
@@ -24,7 +28,8 @@ namespace {
 struct LeafOptions {
   std::string photo, output, mask, veins, root, markers, ruler, mode = "guided";
   bool fillHoles = false, photoVeins = false, vary = false, inTurn = false;
-  std::vector<std::string> examples;
+  std::vector<std::string> examples, tips, settings;
+  int which = 0;
   int variants = 2;
   int size = 1024;
   std::uint64_t seed = 1;
@@ -78,6 +83,28 @@ std::vector<double> numbersOf(const std::string& value) {
   return numbers;
 }
 
+/// "X,Y", already checked.
+QPointF pointOf(const std::string& value) {
+  const std::vector<double> n = numbersOf(value);
+  return {n[0], n[1]};
+}
+
+/// The mask of one of the leaves that a photo shows, 1: the largest.
+Result<QImage> oneOfSeveral(const QImage& picture, const model::Leaf& leaf, int which) {
+  QImage first = leaf.mask;
+  if (first.isNull()) {
+    model::Progress progress;
+    Result<QImage> found = model::automaticMask(picture, leaf.parameters.mask, progress);
+    if (!found) return found.error();
+    first = std::move(*found);
+  }
+  std::vector<QImage> leaves = model::separateLeaves(picture, first);
+  if (static_cast<size_t>(which) > leaves.size()) {
+    return Error{"there is no leaf " + std::to_string(which) + " in it, only " + std::to_string(leaves.size())};
+  }
+  return std::move(leaves[static_cast<size_t>(which) - 1]);
+}
+
 /// The leaf asset that the options describe; `failure` says why there is none.
 bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failure) {
   const QString photo = text(options.photo);
@@ -111,11 +138,15 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   leaf.parameters.mask.keepHoles = !options.fillHoles;
   leaf.parameters.shape.vary = options.vary;
   leaf.parameters.regions.mix = !options.inTurn;
+  if (const Status set = setParameters(options.settings, leaf.parameters); !set) {
+    return fails(QStringLiteral("--set"), set.error());
+  }
   if (!options.ruler.empty()) {
     const std::vector<double> n = numbersOf(options.ruler);
     leaf.ruler = {QPointF(n[0], n[1]), QPointF(n[2], n[3]), n[4]};
   }
-  const bool marked = !options.mask.empty() || !options.markers.empty() || !options.root.empty();
+  const bool marked = !options.mask.empty() || !options.markers.empty() || !options.root.empty() ||
+                      !options.tips.empty() || options.which > 0;
   if (!marked) return true;
   const Result<QImage> picture = model::readPhoto(leaf.photo);
   if (!picture) return fails(photo, picture.error());
@@ -124,6 +155,11 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
     if (!mask) return fails(text(options.mask), mask.error());
     leaf.mask = *mask;
   }
+  if (options.which > 0) {
+    Result<QImage> mask = oneOfSeveral(*picture, leaf, options.which);
+    if (!mask) return fails(photo, mask.error());
+    leaf.mask = std::move(*mask);
+  }
   if (!options.markers.empty()) {
     const Result<QImage> spots = readMarks(text(options.markers), picture->size());
     if (!spots) return fails(text(options.markers), spots.error());
@@ -131,10 +167,14 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
     if (leaf.markers.empty()) return fails(text(options.markers), Error{"no white spot in it: there are no markers"});
   }
   if (!options.root.empty()) {
-    const QStringList parts = text(options.root).split(',');
-    const QPointF root(parts.value(0).toDouble(), parts.value(1).toDouble());
-    if (!QRectF(picture->rect()).contains(root)) return fails(photo, Error{"--root lies outside the picture"});
-    leaf.root = root;
+    leaf.root = pointOf(options.root);
+    if (!QRectF(picture->rect()).contains(*leaf.root)) return fails(photo, Error{"--root lies outside the picture"});
+  }
+  for (const std::string& tip : options.tips) {
+    leaf.tips.push_back(pointOf(tip));
+    if (!QRectF(picture->rect()).contains(leaf.tips.back())) {
+      return fails(photo, Error{"--tip lies outside the picture"});
+    }
   }
   return true;
 }
@@ -161,11 +201,7 @@ Result<model::Veins> readVeins(const QString& path, const model::Leaf& leaf, mod
 
 /// "X,Y", two numbers.
 std::string wrongPoint(const std::string& value) {
-  const QStringList parts = text(value).split(',');
-  bool x = false, y = false;
-  parts.value(0).toDouble(&x);
-  parts.value(1).toDouble(&y);
-  return parts.size() == 2 && x && y ? std::string() : "must be two numbers, X,Y in pixels of the photo";
+  return numbersOf(value).size() == 2 ? std::string() : "must be two numbers, X,Y in pixels of the photo";
 }
 
 int makeLeaf(const LeafOptions& options) {
@@ -185,6 +221,9 @@ int makeLeaf(const LeafOptions& options) {
   const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape, &known);
   if (!stages) return fail(photo, stages.error());
   if (const Status good = model::checkMarkers(*stages); !good) return fail(text(options.markers), good.error());
+  QElapsedTimer clock;
+  clock.start();
+  std::map<QString, double> seconds;
   std::vector<model::LeafStages> examples;
   for (const std::string& file : options.examples) {
     Result<model::SourceFile> source = model::readSourceFile(text(file));
@@ -197,6 +236,7 @@ int makeLeaf(const LeafOptions& options) {
     examples.push_back(std::move(*its));
   }
   examples = model::lendersOf(*stages, std::move(examples));
+  if (!examples.empty()) seconds[QStringLiteral("examples")] = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
 
   model::LeafFolder folder;
   folder.stages = &*stages;
@@ -217,10 +257,13 @@ int makeLeaf(const LeafOptions& options) {
   }
   if (options.compare) {
     model::ProgressPart comparing(progress, 0.9, 0.95);
+    clock.restart();
     Result<QImage> sheet = model::compareMethods(*stages, examples, leaf.parameters.synthesis, options.seed, comparing);
     if (!sheet) return fail(photo, sheet.error());
     folder.compare = std::move(*sheet);
+    seconds[QStringLiteral("compare")] = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
   }
+  folder.otherSeconds = std::move(seconds);
   model::ProgressPart writing(progress, 0.95, 1);
   const Status written = model::writeLeafFolder(folder, text(options.output), writing);
   return written ? 0 : fail(text(options.output), written.error());
@@ -244,6 +287,12 @@ void declareLeaf(CLI::App& app, Action& action) {
       ->check(CLI::Validator(wrongRuler, "X1,Y1,X2,Y2,METRES"));
   command->add_option("--root", options->root, "X,Y: where the petiole meets the blade, in pixels; found without it")
       ->check(CLI::Validator(wrongPoint, "X,Y"));
+  command->add_option("--tip", options->tips, "X,Y: where a main vein ends; several for several; found without it")
+      ->check(CLI::Validator(wrongPoint, "X,Y"))
+      ->expected(1)
+      ->take_all();
+  command->add_option("--leaf", options->which, "Which of several leaves in the photo, 1: the largest")
+      ->check(CLI::Range(1, 100));
   command->add_option("--markers", options->markers, "White spots in the photo's size, one a region; found without it");
   command
       ->add_option("--example", options->examples,
@@ -263,6 +312,14 @@ void declareLeaf(CLI::App& app, Action& action) {
       ->check(CLI::Range(64, 4096))
       ->capture_default_str();
   command->add_option("--preset", options->preset, "Species: a leaf preset's name, or its file");
+  command
+      ->add_option(
+          "--set", options->settings,
+          "NAME=VALUE: any number of the inspector by its name in project.json, as veins.laterals=6, "
+          "veins.mains=5, epsilon=3, costs.tissueTissue=10, shape.holes=2, synthesis.levels=5; may be repeated")
+      ->check(CLI::Validator(wrongAssignment, "NAME=VALUE"))
+      ->expected(1)
+      ->take_all();
   command->add_option("--blade-length", options->bladeLength, "From root to tip in the real world, cm")
       ->check(CLI::Range(0.1, 500.0))
       ->capture_default_str();

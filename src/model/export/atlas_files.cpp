@@ -113,7 +113,7 @@ Result<std::vector<NamedBytes>> atlasFiles(const Atlas& atlas, const AtlasSettin
   description[QStringLiteral("maps")] = maps;
   description[QStringLiteral("normalY")] = settings.packer == AtlasPacker::Unreal ? "down" : "up";
   AtlasSettings used = settings;
-  used.size = atlas.image.width();
+  used.size = std::max(atlas.image.width(), atlas.image.height());
   description[QStringLiteral("gap")] = used.gap();
   if (mipFiles) {
     int level = 0;

@@ -71,9 +71,11 @@ struct DressSeconds {
 QByteArray timingsText(const LeafFolder& leaf, const std::vector<DressSeconds>& dressed) {
   QJsonObject stages;
   double total = 0;
-  for (const auto& [name, seconds] : leaf.stages->seconds) {
-    stages[name] = seconds;
-    total += seconds;
+  for (const auto* named : {&leaf.stages->seconds, &leaf.otherSeconds}) {
+    for (const auto& [name, seconds] : *named) {
+      stages[name] = seconds;
+      total += seconds;
+    }
   }
   QJsonArray variants;
   for (size_t i = 0; i < leaf.variants.size(); ++i) {

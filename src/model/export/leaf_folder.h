@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QJsonObject>
 #include <QString>
+#include <map>
 #include <vector>
 
 #include "model/leaf/atlas.h"
@@ -18,8 +19,9 @@ struct LeafFolder {
   std::vector<quint64> seeds;          ///< of the variants
   std::vector<QImage> variants;
   std::vector<double> variantSeconds;
-  LeafParameters parameters;  ///< how maps are made and textures aged
-  QImage compare;             ///< compare.png; null: none
+  std::map<QString, double> otherSeconds;  ///< stages beside the leaf's own: "examples", "compare"
+  LeafParameters parameters;               ///< how maps are made and textures aged
+  QImage compare;                          ///< compare.png; null: none
 };
 
 /// Writes mask.png, contour.json, veins.json, veins.png, distance.png (16 bit), regions.png, superpixels_1.png to

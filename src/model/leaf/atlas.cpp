@@ -65,18 +65,18 @@ void paste(const QImage& from, QImage& into, const QRect& place) {
   }
 }
 
-QImage cleared(int side, QImage::Format format, const QColor& colour) {
-  QImage image(side, side, format);
+QImage cleared(QSize size, QImage::Format format, const QColor& colour) {
+  QImage image(size, format);
   image.fill(colour);
   return image;
 }
 
-void clearMaps(Atlas& atlas, int side) {
-  atlas.maps.height = cleared(side, QImage::Format_Grayscale16, Qt::black);
-  atlas.maps.normal = cleared(side, QImage::Format_RGBA8888, QColor(128, 128, 255, 0));
-  atlas.maps.roughness = cleared(side, QImage::Format_Grayscale8, QColor(140, 140, 140));
-  atlas.maps.translucency = cleared(side, QImage::Format_RGBA8888, QColor(0, 0, 0, 0));
-  atlas.maps.occlusion = cleared(side, QImage::Format_Grayscale8, Qt::white);
+void clearMaps(Atlas& atlas, QSize size) {
+  atlas.maps.height = cleared(size, QImage::Format_Grayscale16, Qt::black);
+  atlas.maps.normal = cleared(size, QImage::Format_RGBA8888, QColor(128, 128, 255, 0));
+  atlas.maps.roughness = cleared(size, QImage::Format_Grayscale8, QColor(140, 140, 140));
+  atlas.maps.translucency = cleared(size, QImage::Format_RGBA8888, QColor(0, 0, 0, 0));
+  atlas.maps.occlusion = cleared(size, QImage::Format_Grayscale8, Qt::white);
 }
 
 void placeMaps(const LeafMaps& maps, Atlas& atlas, const QRect& place, bool turned) {
@@ -132,17 +132,17 @@ Result<Atlas> packAtlas(std::vector<LeafTexture> textures, const AtlasSettings& 
                  (settings.size > 0 ? " of " + std::to_string(settings.size) + " px; make it larger or" : "; make") +
                  " its padding smaller"};
   }
-  const int side = layout->side;
+  const QSize size = layout->size;
 
   Atlas atlas;
-  atlas.image = cleared(side, QImage::Format_RGBA8888, Qt::transparent);
+  atlas.image = cleared(size, QImage::Format_RGBA8888, Qt::transparent);
   atlas.places = layout->places;
   atlas.turned = layout->turned;
   atlas.scale = layout->scale;
   const bool mapped = std::all_of(textures.begin(), textures.end(), [](const LeafTexture& texture) {
     return texture.maps.normal.size() == texture.image.size();
   });
-  if (mapped) clearMaps(atlas, side);
+  if (mapped) clearMaps(atlas, size);
   for (size_t i = 0; i < textures.size(); ++i) {
     const QRect& place = atlas.places[i];
     const bool turned = atlas.turned[i];

@@ -38,12 +38,12 @@ QJsonObject describe(const Atlas& atlas) {
   for (size_t i = 0; i < atlas.places.size(); ++i) {
     const QRect& r = atlas.places[i];
     const LeafTexture& texture = atlas.textures[i];
-    const double side = std::max(1, atlas.image.width());
+    const double width = std::max(1, atlas.image.width()), height = std::max(1, atlas.image.height());
     const QPointF pivot = atlas.toAtlas(i, texture.pivot);
     QJsonObject leaf{
         {"name", texture.name},
         {"rectangle", QJsonArray{r.x(), r.y(), r.width(), r.height()}},
-        {"uv", QJsonArray{r.x() / side, r.y() / side, (r.x() + r.width()) / side, (r.y() + r.height()) / side}},
+        {"uv", QJsonArray{r.x() / width, r.y() / height, (r.x() + r.width()) / width, (r.y() + r.height()) / height}},
         {"turned", static_cast<bool>(atlas.turned[i])},
         {"pivot", QJsonArray{texture.pivot.x(), texture.pivot.y()}},
         {"pivotUv", QJsonArray{pivot.x(), pivot.y()}},

@@ -18,12 +18,12 @@ QSize scaled(QSize size, double scale, bool turned) {
 }
 
 std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::vector<bool>& turned,
-                                    const AtlasSettings& settings, double most) {
+                                    const AtlasSettings& settings, QSize whole, double most) {
   const int gap = settings.gap();
   const auto placesAt = [&](double scale) -> std::optional<std::vector<QPoint>> {
     std::vector<QSize> padded;
     for (size_t i = 0; i < sizes.size(); ++i) padded.push_back(scaled(sizes[i], scale, turned[i]) + QSize(gap, gap));
-    return packRectangles(padded, settings.size);
+    return packRectangles(padded, whole);
   };
   // By bisection; packing is not monotone, so the best seen is kept.
   double scale = most;
@@ -41,20 +41,21 @@ std::optional<AtlasLayout> layOutAs(const std::vector<QSize>& sizes, const std::
     }
   }
   if (!corners) return std::nullopt;
-  AtlasLayout layout{settings.size, scale, {}, turned};
+  AtlasLayout layout{whole, scale, {}, turned};
   for (size_t i = 0; i < sizes.size(); ++i) {
     layout.places.emplace_back(corners->at(i) + QPoint(gap / 2, gap / 2), scaled(sizes[i], scale, turned[i]));
   }
   return layout;
 }
 
-std::optional<AtlasLayout> layOutIn(const std::vector<QSize>& sizes, const AtlasSettings& settings, double most) {
+std::optional<AtlasLayout> layOutIn(const std::vector<QSize>& sizes, const AtlasSettings& settings, QSize whole,
+                                    double most) {
   const auto all = [&](auto rule) {
     std::vector<bool> turned;
     for (const QSize& size : sizes) turned.push_back(rule(size));
     return turned;
   };
-  std::optional<AtlasLayout> best = layOutAs(sizes, all([](const QSize&) { return false; }), settings, most);
+  std::optional<AtlasLayout> best = layOutAs(sizes, all([](const QSize&) { return false; }), settings, whole, most);
   if (!settings.rotate || (best && best->scale >= most)) return best;
   const auto largest = std::max_element(sizes.begin(), sizes.end(), [](const QSize& a, const QSize& b) {
     return std::max(a.width(), a.height()) < std::max(b.width(), b.height());
@@ -66,7 +67,7 @@ std::optional<AtlasLayout> layOutIn(const std::vector<QSize>& sizes, const Atlas
         all([](const QSize& s) { return s.height() > s.width(); }),
         all([&](const QSize& s) { return (s.width() > s.height()) != (largest->width() > largest->height()); }),
         all([&](const QSize&) { return number++ % 2 == 1; })}) {
-    std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings, most);
+    std::optional<AtlasLayout> other = layOutAs(sizes, turned, settings, whole, most);
     if (other && (!best || other->scale > best->scale * 1.001)) best = std::move(other);
   }
   return best;
@@ -78,13 +79,17 @@ std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSe
   int longest = 1;
   for (const QSize& size : sizes) longest = std::max({longest, size.width(), size.height()});
   const double most = settings.leafPixels > 0 ? std::min(1.0, static_cast<double>(settings.leafPixels) / longest) : 1;
-  if (settings.size > 0) return layOutIn(sizes, settings, most);
+  if (settings.size > 0) return layOutIn(sizes, settings, {settings.size, settings.size}, most);
   std::optional<AtlasLayout> layout;
   AtlasSettings tried = settings;
   for (tried.size = kLeastSide; tried.size <= kMostAutomatic; tried.size *= 2) {
-    layout = layOutIn(sizes, tried, most);
     // At a small side the gap would be cut short.
-    if (layout && layout->scale >= most && tried.gap() >= std::min(settings.gap(), kMostAutomatic / 8)) break;
+    if (tried.size < kMostAutomatic && tried.gap() < settings.gap()) continue;
+    const int side = tried.size;
+    for (const QSize whole : {QSize(side, side / 2), QSize(side / 2, side), QSize(side, side)}) {
+      layout = layOutIn(sizes, tried, whole, most);
+      if (layout && layout->scale >= most) return layout;
+    }
   }
   return layout;
 }

@@ -11,7 +11,7 @@
 namespace windfall::model {
 
 struct AtlasLayout {
-  int side = 0;  ///< px
+  QSize size;  ///< px
   double scale = 1;
   std::vector<QRect> places;
   std::vector<bool> turned;
@@ -19,7 +19,8 @@ struct AtlasLayout {
 
 /// The largest common scale at which all textures fit with gaps, at most 1 or what `leafPixels` asks for; with rotation
 /// the best of lying as they are, all upright, all on their side, and as the largest does. Of an automatic size the
-/// smallest side from 64 to 8192 at which they need not be smaller than wanted, else the largest.
+/// smallest one from 64 to 8192 px, or half as high or wide, in which they need not be smaller than wanted, else the
+/// largest.
 std::optional<AtlasLayout> layOut(const std::vector<QSize>& sizes, const AtlasSettings& settings);
 
 }  // namespace windfall::model

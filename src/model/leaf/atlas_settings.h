@@ -15,8 +15,8 @@ enum class AtlasPacker {
 };
 
 struct AtlasSettings {
-  int size = 0;        ///< side, a power of two; 0: the smallest that holds the leaves as large as they are wanted
-  int padding = 16;    ///< px at least between leaves, filled with the leaves' own colours
+  int size = 0;      ///< side, a power of two; 0: the smallest, or half of it, that holds the leaves as large as wanted
+  int padding = 16;  ///< px at least between leaves, filled with the leaves' own colours
   int mipLevels = 1;   ///< that must stay free of neighbours: the gap is at least 8 px, doubled for each
   bool rotate = true;  ///< leaves may lie on their side where that packs better
   AtlasPacker packer = AtlasPacker::Plain;

@@ -1,4 +1,4 @@
-// Rectangles packed into a square.
+// Rectangles packed into a larger one.
 #pragma once
 
 #include <QPoint>
@@ -8,7 +8,7 @@
 
 namespace windfall::model {
 
-/// Top left corners in the order of `sizes`, or nothing when they do not fit into side × side (skyline, stb_rect_pack).
-std::optional<std::vector<QPoint>> packRectangles(const std::vector<QSize>& sizes, int side);
+/// Top left corners in the order of `sizes`, or nothing when they do not fit into `whole` (skyline, stb_rect_pack).
+std::optional<std::vector<QPoint>> packRectangles(const std::vector<QSize>& sizes, QSize whole);
 
 }  // namespace windfall::model

@@ -183,9 +183,11 @@ void AtlasPanel::pack() {
         if (run != running_) return;
         atlas_ = packed;
         const int scale = qRound(100 * atlas_->scale);
-        note_->setText(tr("%n leaves at %1 % of their size, in %2 × %2 px", nullptr, int(atlas_->places.size()))
+        note_->setText(tr("Leaves: %1, at %2 % of their size\nAtlas: %3 × %4 px")
+                           .arg(atlas_->places.size())
                            .arg(scale)
-                           .arg(atlas_->image.width()));
+                           .arg(atlas_->image.width())
+                           .arg(atlas_->image.height()));
         showPicture();
       });
   connect(job, &model::Job::finished, this, [this, run] {

@@ -1,6 +1,7 @@
 #include "widgets/leaf/leaf_inspector.h"
 
 #include <QPushButton>
+#include <QScrollBar>
 
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
@@ -26,6 +27,25 @@ LeafInspector::LeafInspector(model::Document& document, QWidget* parent)
     if (change.aspect == Aspect::Everything || change.asset == leaf_) refresh();
   });
   setEnabled(false);
+}
+
+FieldGroup* LeafInspector::addGroup(const QString& id, const QString& title) {
+  FieldGroup* group = FieldPanel::addGroup(id, title);
+  groups_.insert(id, group);
+  return group;
+}
+
+void LeafInspector::showStage(model::Stage stage) {
+  using model::Stage;
+  const char* id = stage == Stage::Mask || stage == Stage::Contour           ? "contour"
+                   : stage == Stage::Veins                                   ? "veins"
+                   : stage == Stage::Distance                                ? "distance"
+                   : stage == Stage::Regions                                 ? "regions"
+                   : stage == Stage::Superpixels || stage == Stage::Variants ? "synthesis"
+                   : stage == Stage::Maps                                    ? "maps"
+                                                                             : "source";
+  const FieldGroup* group = groups_.value(QLatin1String(id));
+  if (group && stage != Stage::Atlas) verticalScrollBar()->setValue(group->y());
 }
 
 void LeafInspector::addSource() {

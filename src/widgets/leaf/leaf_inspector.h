@@ -35,6 +35,8 @@ class LeafInspector : public FieldPanel {
   CheckField* check(const QString& id) const { return checks_.value(id); }
   NumberField* rulerLength() const { return rulerLength_; }
   NumberField* bladeLength() const { return bladeLength_; }
+  /// Scrolls to the numbers of this stage.
+  void showStage(model::Stage stage);
   /// What the stages found, for the rows that only tell: vertices, real size, veins.
   void showFound(const model::LeafStages* stages);
   PresetField* species() const { return species_; }
@@ -56,6 +58,8 @@ class LeafInspector : public FieldPanel {
   void message(const QString& text, bool isError);
 
  private:
+  /// As the panel's own, and known by its id.
+  FieldGroup* addGroup(const QString& id, const QString& title);
   void addSource();
   void addContour();
   void addShape();
@@ -83,6 +87,7 @@ class LeafInspector : public FieldPanel {
   SeedField* seed_ = nullptr;
   QHash<QString, NumberField*> numbers_;
   QHash<QString, CheckField*> checks_;
+  QHash<QString, FieldGroup*> groups_;
   PresetField* species_ = nullptr;
   ChoiceField* mapKind_ = nullptr;
   NumberField* age_ = nullptr;

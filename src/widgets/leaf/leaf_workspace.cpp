@@ -271,6 +271,7 @@ void LeafWorkspace::setStage(Stage stage) {
   stageBar_->setStage(stage);
   // Regions are matched on their own stage alone.
   if (match_->isActive() && stage != Stage::Regions) toolBox_->choose(QStringLiteral("hand"));
+  if (stage != stage_) inspector_->showStage(stage);
   stage_ = stage;
   variantsShown_ = stage >= Stage::Variants;
   pictures_->want(std::min(stage, Stage::Variants));

@@ -135,7 +135,10 @@ void VariantStrip::showScores() {
 }
 
 void VariantStrip::updateButton() {
-  make_->setText(busy_ ? tr("Making variants…") : tr("Make %n variants", nullptr, int(count_->value())));
+  const int count = int(count_->value());
+  make_->setText(busy_        ? tr("Making variants…")
+                 : count == 1 ? tr("Make a variant")
+                              : tr("Make %n variants", nullptr, count));
   make_->setEnabled(!busy_ && document_.project().leaf(leaf_));
 }
 

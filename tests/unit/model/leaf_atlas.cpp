@@ -110,6 +110,32 @@ class LeafAtlas : public QObject {
     QCOMPARE(atlas->textures[2].metres, textures[2].metres);
   }
 
+  void anAutomaticSizeIsTheSmallestThatHoldsThemAsWanted() {
+    const auto packed = [](int count, int leafPixels, int padding, int mips) {
+      AtlasSettings settings{0, padding, mips};
+      settings.leafPixels = leafPixels;
+      const Result<Atlas> atlas = packAtlas(std::vector<LeafTexture>(static_cast<size_t>(count), texture(1)), settings);
+      return atlas ? *atlas : Atlas{};
+    };
+    const QSize one = texture(1).image.size();
+    const auto area = [](const Atlas& atlas) { return atlas.image.width() * atlas.image.height(); };
+    for (const int count : {1, 2, 5, 9}) {
+      const Atlas atlas = packed(count, 0, 8, 0);
+      QCOMPARE(atlas.scale, 1.0);
+      for (const int side : {atlas.image.width(), atlas.image.height()}) QCOMPARE(side & (side - 1), 0);
+      QVERIFY(area(atlas) >= count * one.width() * one.height());
+      for (const QRect& place : atlas.places) QVERIFY(atlas.image.rect().contains(place));
+      // The same at half the size needs no more.
+      QVERIFY(area(packed(count, std::max(one.width(), one.height()) / 2, 8, 0)) < area(atlas));
+    }
+    const Atlas small = packed(3, 64, 4, 0);
+    for (const QRect& place : small.places) QVERIFY(std::max(place.width(), place.height()) <= 64);
+    // Many clean mip levels ask for gaps, and those for room.
+    QVERIFY(area(packed(2, 0, 0, 5)) > area(packed(2, 0, 0, 0)));
+    // A texture is never enlarged.
+    QCOMPARE(packed(1, 4000, 4, 0).scale, 1.0);
+  }
+
   void noPaperShowsAtAnyMipLevel() {
     // A leaf of one colour on a ground of another: whatever is visible at mip 5 must be the leaf's colour.
     QImage leaf(200, 300, QImage::Format_RGBA8888);
