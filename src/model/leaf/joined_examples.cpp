@@ -157,10 +157,11 @@ VeinFrame exampleFrame(const LeafStages& example) {
   const QSize size = example.seen.distance.size;
   const size_t pixels = example.seen.distance.values.size();
   VeinFrame frame{std::vector<float>(pixels), std::vector<signed char>(pixels, 1), std::vector<float>(pixels),
-                  std::vector<float>(pixels), std::vector<float>(pixels)};
+                  std::vector<float>(pixels), std::vector<float>(pixels), 1};
   for (const JoinedLeaf& leaf : example.joined) {
     const QPointF corner = leaf.place.topLeft();
     const VeinFrame own = findVeinFrame(partOf(example.seen, leaf.place), leaf.root - corner, leaf.tip - corner);
+    frame.longSide = std::max(frame.longSide, own.longSide);
     overPart(size, leaf.place, [&](size_t to, size_t from) {
       frame.angle[to] = own.angle[from];
       frame.side[to] = own.side[from];

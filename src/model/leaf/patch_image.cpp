@@ -43,7 +43,7 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
   const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
   const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
   cv::Mat1f lines(full), line, standings(full), standing;
-  const float unit = static_cast<float>(std::max(full.width, full.height)) / 512;
+  const float unit = static_cast<float>(frame.longSide) / 512;
   for (int y = 0; y < full.height; ++y) {
     for (int x = 0; x < full.width; ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);

@@ -55,7 +55,7 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
   if (result.empty()) return result;
   const QSize size = target.grown.distance.size;
   if (finest > 0) result = enlarged(std::move(result), last, {size.width(), size.height()});
-  return restoreVeins({target.grown, targetFrame, result}, {example.seen, exampleFrame, colours});
+  return restoreVeins({target.grown, targetFrame, result}, {example.seen, lenderFrame, colours});
 }
 
 }  // namespace

@@ -128,6 +128,7 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   double deepest = 1;
   cv::minMaxLoc(toMargin, nullptr, &deepest);
   VeinFrame frame;
+  frame.longSide = std::max(width, height);
   frame.angle.resize(pixels);
   frame.side.resize(pixels);
   frame.reach.resize(pixels);

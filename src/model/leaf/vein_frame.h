@@ -15,6 +15,7 @@ struct VeinFrame {
   std::vector<float> reach;       ///< distance to the middle of the nearest vein, px; a little below 0 at most
   std::vector<float> margin;      ///< distance to the margin over half its largest, 0..1
   std::vector<float> standing;    ///< of the nearest vein, 0..1: root of the share of the leaf that it serves here
+  int longSide = 512;             ///< px, of one leaf's picture: what lengths are measured by
 };
 
 /// `root` and `tip` in working pixels. The veins of a structure are where its vein distance is 0.

@@ -23,6 +23,9 @@ struct Measured {
   std::array<std::array<bool, kBins>, kStanding.size()> known{};
 };
 
+/// Pixels of a leaf that one of 512 px stands for.
+float unitOf(const VeinedLeaf& leaf) { return static_cast<float>(leaf.frame.longSide) / 512; }
+
 /// Which two classes a standing lies between, and how near to the second.
 std::pair<size_t, float> between(float standing) {
   size_t low = 0;
@@ -45,7 +48,7 @@ cv::Mat3f withoutLowPass(const VeinedLeaf& leaf, cv::Mat1b& blade) {
   cv::Mat1f weight;
   blade.convertTo(weight, CV_32F, 1 / 255.0);
   // So wide a blur is as good and quick on a smaller picture.
-  const double sigma = kBlur * std::max(width, height) / 512.0, step = std::max(1.0, sigma / 4);
+  const double sigma = kBlur * static_cast<double>(unitOf(leaf)), step = std::max(1.0, sigma / 4);
   const cv::Size small(std::max(1, static_cast<int>(width / step)), std::max(1, static_cast<int>(height / step)));
   cv::resize(masked, sum, small, 0, 0, cv::INTER_AREA);
   cv::resize(weight, weight, small, 0, 0, cv::INTER_AREA);
@@ -64,7 +67,7 @@ cv::Mat3f withoutLowPass(const VeinedLeaf& leaf, cv::Mat1b& blade) {
 Measured measure(const VeinedLeaf& leaf) {
   cv::Mat1b blade;
   const cv::Mat3f rest = withoutLowPass(leaf, blade);
-  const float unit = static_cast<float>(std::max(blade.cols, blade.rows)) / 512;
+  const float unit = unitOf(leaf);
   std::array<std::array<std::array<std::vector<float>, 3>, kBins>, kStanding.size()> values;
   auto colour = rest.begin();
   for (size_t i = 0; i < blade.total(); ++i, ++colour) {
