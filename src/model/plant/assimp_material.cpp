@@ -10,6 +10,8 @@ namespace windfall::model::assimp {
 
 namespace {
 
+const vec4 kPlainWood(0.17f, 0.12f, 0.085f, 1);  // linear
+
 /// A picture inside the file; pictures beside it are not looked for, since a source is bytes without a folder.
 QImage embeddedPicture(const aiScene& scene, const aiMaterial& material) {
   aiString path;
@@ -54,6 +56,9 @@ void readMaterials(const aiScene& scene, PlantGeometry& geometry) {
     source.Get(AI_MATKEY_TWOSIDED, twoSided);
     material.doubleSided = twoSided != 0;
     material.texture = embeddedPicture(scene, source);
+    // A mesh that was given no material is wood rather than white paint.
+    const bool none = material.name.isEmpty() || material.name == QLatin1String(AI_DEFAULT_MATERIAL_NAME);
+    if (none && material.texture.isNull()) material.baseColor = kPlainWood;
     geometry.materials.push_back(std::move(material));
   }
   if (geometry.materials.empty()) geometry.materials.emplace_back();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "model/plant/assimp_private.h"
+#include "model/plant/loose_vertices.h"
 
 namespace windfall::model::assimp {
 
@@ -18,6 +19,11 @@ struct Influences {
   std::vector<Influence> all;
 };
 
+/// Index of the plant's bone that a bone of a mesh became; -1: none.
+int boneOf(const File& file, const aiBone& bone) {
+  return file.nodes[static_cast<std::size_t>(file.nodeByName.at(bone.mName.C_Str()))].bone;
+}
+
 Result<Influences> collectInfluences(const File& file, const aiMesh& mesh) {
   Influences result;
   result.first.assign(mesh.mNumVertices + 1, 0);
@@ -28,27 +34,27 @@ Result<Influences> collectInfluences(const File& file, const aiMesh& mesh) {
         return Error{std::string("bone \"") + mesh.mBones[b]->mName.C_Str() + "\" weighs a vertex that is not there"};
       }
       // Assimp pads bones without weights with one of 0.
-      if (weight.mWeight > 0) ++result.first[weight.mVertexId + 1];
+      if (weight.mWeight > 0 && boneOf(file, *mesh.mBones[b]) >= 0) ++result.first[weight.mVertexId + 1];
     }
   }
   for (std::size_t i = 1; i < result.first.size(); ++i) result.first[i] += result.first[i - 1];
   result.all.resize(result.first.back());
   std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
   for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-    const int node = file.nodeByName.at(mesh.mBones[b]->mName.C_Str());
-    const int bone = file.nodes[static_cast<std::size_t>(node)].bone;
+    const int bone = boneOf(file, *mesh.mBones[b]);
+    if (bone < 0) continue;
     for (unsigned k = 0; k < mesh.mBones[b]->mNumWeights; ++k) {
       const aiVertexWeight& weight = mesh.mBones[b]->mWeights[k];
       if (weight.mWeight > 0) {
-        result.all[next[weight.mVertexId]++] = {static_cast<std::uint32_t>(std::max(bone, 0)), weight.mWeight};
+        result.all[next[weight.mVertexId]++] = {static_cast<std::uint32_t>(bone), weight.mWeight};
       }
     }
   }
   return result;
 }
 
-/// The four largest, renormalised; `fallback` moves vertices that no bone moves.
-void setInfluences(Vertex& vertex, std::vector<Influence>& influences, std::uint32_t fallback) {
+/// The four largest, renormalised; `fallback` moves a vertex that no bone holds, which is told by false.
+bool setInfluences(Vertex& vertex, std::vector<Influence>& influences, std::uint32_t fallback) {
   std::sort(influences.begin(), influences.end(), [](const Influence& a, const Influence& b) {
     return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
   });
@@ -58,12 +64,13 @@ void setInfluences(Vertex& vertex, std::vector<Influence>& influences, std::uint
   if (!(sum > 0)) {
     vertex.bones[0] = fallback;
     vertex.weights[0] = 1;
-    return;
+    return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
     vertex.bones[i] = influences[i].bone;
     vertex.weights[i] = static_cast<float>(influences[i].weight / sum);
   }
+  return true;
 }
 
 /// Area-weighted normals for vertices that came without.
@@ -82,7 +89,8 @@ void makeNormals(PlantGeometry& geometry, std::size_t firstVertex, std::size_t f
   }
 }
 
-Status readInstance(const File& file, const Instance& instance, PlantGeometry& geometry) {
+Status readInstance(const File& file, const Instance& instance, PlantGeometry& geometry,
+                    std::vector<std::uint32_t>& loose) {
   const aiMesh& mesh = *instance.mesh;
   const std::string name = mesh.mName.C_Str();
   Result<Influences> influences = collectInfluences(file, mesh);
@@ -113,7 +121,9 @@ Status readInstance(const File& file, const Instance& instance, PlantGeometry& g
     }
     own.assign(influences->all.begin() + influences->first[v], influences->all.begin() + influences->first[v + 1]);
     geometry.maxInfluences = std::max(geometry.maxInfluences, static_cast<int>(own.size()));
-    setInfluences(vertex, own, fallback);
+    if (!setInfluences(vertex, own, fallback) && mesh.HasBones()) {
+      loose.push_back(static_cast<std::uint32_t>(geometry.vertices.size()));
+    }
     geometry.vertices.push_back(vertex);
   }
   // A mirrored node turns the triangles inside out.
@@ -141,12 +151,17 @@ Status readInstance(const File& file, const Instance& instance, PlantGeometry& g
 }  // namespace
 
 Status readMeshes(const File& file, PlantGeometry& geometry) {
+  std::vector<std::uint32_t> loose;
   for (const Instance& instance : file.instances) {
     if (geometry.vertices.size() + instance.mesh->mNumVertices > 100'000'000)
       return Error{"has over 100 million vertices"};
-    if (Status status = readInstance(file, instance, geometry); !status) return status;
+    if (Status status = readInstance(file, instance, geometry, loose); !status) return status;
   }
   if (geometry.parts.empty()) return Error{"has no mesh with triangles"};
+  if (!loose.empty()) {
+    geometry.notes << QStringLiteral("%1 vertices were held by no bone and follow what is nearest").arg(loose.size());
+    holdLooseVertices(geometry, loose);
+  }
   return ok();
 }
 

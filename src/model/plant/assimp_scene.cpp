@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <optional>
 
 #include "model/plant/assimp_private.h"
 
@@ -22,6 +23,7 @@ bool isFinite(const Transform& transform) {
 namespace {
 
 constexpr std::size_t kMostNodes = 4'000'000;
+constexpr double kAgreement = 1e-3;  // of bones on where their mesh stands
 
 template <class T>
 T metadata(const aiScene& scene, const char* key, T otherwise) {
@@ -56,6 +58,26 @@ Transform toMetres(const aiScene& scene) {
   return glm::scale(Transform(1), glm::dvec3(centimetres * 0.01)) * turn;
 }
 
+/// Where the bones have a skinned mesh, if they agree, as they do in their bind pose. The node of the mesh is no sure
+/// sign: Blender writes unit and axes of a mesh below another twice into FBX.
+std::optional<Transform> placeByBones(const File& file, const aiMesh& mesh) {
+  std::optional<Transform> first;
+  for (unsigned i = 0; i < mesh.mNumBones; ++i) {
+    const auto found = file.nodeByName.find(mesh.mBones[i]->mName.C_Str());
+    if (found == file.nodeByName.end()) return {};
+    const Transform placed =
+        file.nodes[static_cast<std::size_t>(found->second)].global * transformOf(mesh.mBones[i]->mOffsetMatrix);
+    if (!isFinite(placed)) return {};
+    if (!first) first = placed;
+    const double size = glm::length(glm::dvec3((*first)[0])), reach = glm::length(glm::dvec3((*first)[3]));
+    for (int k = 0; k < 4; ++k) {
+      const double off = glm::length(glm::dvec3(placed[k]) - glm::dvec3((*first)[k]));
+      if (!(off <= kAgreement * (k < 3 ? size : reach + 10 * size))) return {};
+    }
+  }
+  return first;
+}
+
 /// Where a skinned mesh stands when its bones are in their bind pose.
 Transform bindTransform(const File& file, const aiMesh& mesh, int node) {
   // In glTF a skinned mesh ignores its own node: the joints place it. The topmost joint stands for all of them.
@@ -70,6 +92,7 @@ Transform bindTransform(const File& file, const aiMesh& mesh, int node) {
     }
     if (best >= 0) return file.toMetres * placed;
   }
+  if (const auto placed = placeByBones(file, mesh)) return file.toMetres * *placed;
   return file.toMetres * file.nodes[static_cast<std::size_t>(node)].global;
 }
 

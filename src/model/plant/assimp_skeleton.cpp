@@ -28,6 +28,11 @@ bool isEndMarker(const std::string& name) {
   return endsWith("_end") || endsWith(".end") || endsWith("nub");
 }
 
+/// Blender's glTF exporter hangs vertices that no bone holds on a bone that it makes up.
+bool isMadeUp(const aiNode& node) {
+  return node.mNumChildren == 0 && std::string(node.mName.C_Str()).rfind("neutral_bone", 0) == 0;
+}
+
 Status collectUses(const File& file, std::vector<Use>& uses) {
   for (const Instance& instance : file.instances) {
     for (unsigned i = 0; i < instance.mesh->mNumBones; ++i) {
@@ -61,7 +66,7 @@ void chooseBones(const File& file, std::vector<Use>& uses) {
     const Node& node = file.nodes[i];
     Use& use = uses[i];
     const bool marker = use.weight <= 0 && !below[i] && isEndMarker(node.source->mName.C_Str());
-    use.bone = use.listed && !marker;
+    use.bone = use.listed && !marker && !isMadeUp(*node.source);
     if ((use.bone || below[i]) && node.parent >= 0) below[static_cast<std::size_t>(node.parent)] = 1;
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,9 +1,12 @@
-// A rig with two clips and two materials, written by Blender as FBX and as glTF: both are the same plant here.
+// A rig with two clips, two materials, a mesh below a mesh and vertices that no bone holds, written by Blender as FBX
+// and as glTF: both are the same plant here.
 #include <QFile>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <cmath>
 
 #include "model/plant/import.h"
 #include "support/suite.h"
@@ -13,9 +16,10 @@ using namespace windfall::model;
 
 namespace {
 
-// Four bones of 1 m, leaning; "sway" bends them by little, "storm" by more; keys on frames 1 to 49, 24 a second.
+// A stem whose vertices between 1.4 and 1.8 m no bone holds, and below it another mesh. Four bones of 1 m, leaning;
+// "sway" bends them by little, "storm" by more; keys on frames 1 to 49, 24 a second.
 const char* const kScript = R"(
-import bpy, bmesh, math, sys
+import bpy, bmesh, math, mathutils, sys
 out = sys.argv[sys.argv.index('--') + 1]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 data = bpy.data.armatures.new('rig')
@@ -50,7 +54,18 @@ stem.modifiers.new('rig', 'ARMATURE').object = rig
 for i in range(4):
     stem.vertex_groups.new(name='b%d' % i)
 for v in mesh.vertices:
-    stem.vertex_groups[int(max(0, min(3.999, v.co.z)))].add([v.index], 1.0, 'REPLACE')
+    if not 1.4 < v.co.z < 1.8:
+        stem.vertex_groups[int(max(0, min(3.999, v.co.z)))].add([v.index], 1.0, 'REPLACE')
+form = bmesh.new()
+bmesh.ops.create_icosphere(form, subdivisions=1, radius=0.05, matrix=mathutils.Matrix.Translation((0.39, 0, 3.9)))
+knot = bpy.data.objects.new('knot', bpy.data.meshes.new('knot'))
+form.to_mesh(knot.data)
+bpy.context.collection.objects.link(knot)
+knot.parent = stem
+knot.modifiers.new('rig', 'ARMATURE').object = rig
+for i in range(4):
+    knot.vertex_groups.new(name='b%d' % i)
+knot.vertex_groups[3].add(range(len(knot.data.vertices)), 1.0, 'REPLACE')
 rig.animation_data_create()
 for name, size in (('sway', 0.05), ('storm', 0.2)):
     rig.animation_data.action = bpy.data.actions.new(name)
@@ -113,8 +128,18 @@ class ImportBlenderTest : public QObject {
       QStringList materials;
       for (const Material& material : one->materials) materials << material.name;
       QVERIFY2(materials.contains("Bark") && materials.contains("Moss"), qPrintable(materials.join(',')));
-      QCOMPARE(one->parts.size(), std::size_t{2});
+      QCOMPARE(one->parts.size(), std::size_t{3});
       QCOMPARE(one->clips.size(), std::size_t{2});
+      // Everything stands where Blender has it, in metres, and moves with the bone at its height.
+      QVERIFY2(one->notes.join(';').contains("held by no bone"), qPrintable(one->notes.join(';')));
+      for (const Vertex& vertex : one->vertices) {
+        QVERIFY(std::abs(vertex.position.y - 2) < 2.1f && std::hypot(vertex.position.x, vertex.position.z) < 0.7f);
+        const auto bone = static_cast<float>(vertex.bones[0]);
+        QVERIFY2(vertex.position.y > bone - 0.45f && vertex.position.y < bone + 1.45f,
+                 qPrintable(QString("%1 m: bone %2").arg(double(vertex.position.y)).arg(vertex.bones[0])));
+      }
+      QVERIFY(std::any_of(one->vertices.begin(), one->vertices.end(),
+                          [](const Vertex& vertex) { return std::abs(vertex.position.y - 1.6f) < 0.2f; }));
     }
     for (const auto& [name, reach] : {std::pair("sway", 0.05f), std::pair("storm", 0.2f)}) {
       const Clip *a = clipNamed(fbx, name), *b = clipNamed(gltf, name);

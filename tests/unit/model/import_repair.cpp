@@ -115,6 +115,30 @@ class ImportRepairTest : public QObject {
              qPrintable(QString("%1 %2 %3").arg(double(tip.x)).arg(double(tip.y)).arg(double(tip.z))));
   }
 
+  void verticesThatNoBoneHoldsFollowWhatIsNearest() {
+    // The last ring of the tube, at 2 m, lets go of the upper bone.
+    test::GltfFixture fixture;
+    const QJsonObject mesh = fixture.root["meshes"].toArray()[0].toObject();
+    const QJsonObject tube = mesh["primitives"].toArray()[0].toObject();
+    const int accessor = tube["attributes"].toObject()["WEIGHTS_0"].toInt();
+    const int view = fixture.root["accessors"].toArray()[accessor].toObject()["bufferView"].toInt();
+    const auto weights = fixture.root["bufferViews"].toArray()[view].toObject()["byteOffset"].toInt();
+    for (int v = 16; v < 20; ++v) {
+      for (int k = 0; k < 4; ++k) fixture.setFloat(weights + 16 * v + 4 * k, 0);
+    }
+    const auto geometry = import(fixture.glb());
+    QVERIFY2(geometry, qPrintable(errorOf(geometry)));
+    QCOMPARE(geometry->notes, QStringList{"4 vertices were held by no bone and follow what is nearest"});
+    int top = 0;
+    for (const Vertex& vertex : geometry->vertices) {
+      if (vertex.position.y < 1.9f) continue;
+      QCOMPARE(vertex.bones[0], 1u);
+      QCOMPARE(vertex.weights[0], 1.f);
+      ++top;
+    }
+    QCOMPARE(top, 4);
+  }
+
   void aFigureIsNoTree() {
     const QStringList names{"mixamorig:Hips",    "mixamorig:Spine",    "mixamorig:Neck",    "mixamorig:Head",
                             "mixamorig:LeftArm", "mixamorig:LeftHand", "mixamorig:LeftFoot"};
