@@ -58,42 +58,55 @@ Transform toMetres(const aiScene& scene) {
   return glm::scale(Transform(1), glm::dvec3(centimetres * 0.01)) * turn;
 }
 
-/// Where the bones have a skinned mesh, if they agree, as they do in their bind pose. The node of the mesh is no sure
-/// sign: Blender writes unit and axes of a mesh below another twice into FBX.
-std::optional<Transform> placeByBones(const File& file, const aiMesh& mesh) {
-  std::optional<Transform> first;
+/// Where the bones have a skinned mesh: the topmost one, and whether all say the same, as they do in their bind pose.
+struct PlaceByBones {
+  Transform place{1};
+  bool agreed = true;
+};
+
+std::optional<PlaceByBones> placeByBones(const File& file, const aiMesh& mesh) {
+  std::optional<PlaceByBones> result;
+  int top = -1;
+  std::vector<Transform> places;
   for (unsigned i = 0; i < mesh.mNumBones; ++i) {
     const auto found = file.nodeByName.find(mesh.mBones[i]->mName.C_Str());
-    if (found == file.nodeByName.end()) return {};
-    const Transform placed =
+    if (found == file.nodeByName.end()) continue;
+    const Transform place =
         file.nodes[static_cast<std::size_t>(found->second)].global * transformOf(mesh.mBones[i]->mOffsetMatrix);
-    if (!isFinite(placed)) return {};
-    if (!first) first = placed;
-    const double size = glm::length(glm::dvec3((*first)[0])), reach = glm::length(glm::dvec3((*first)[3]));
+    if (!isFinite(place)) continue;
+    places.push_back(place);
+    if (top >= 0 && found->second >= top) continue;
+    top = found->second;
+    result = {place, true};
+  }
+  for (const Transform& place : places) {
+    const double size = glm::length(glm::dvec3(result->place[0])), reach = glm::length(glm::dvec3(result->place[3]));
     for (int k = 0; k < 4; ++k) {
-      const double off = glm::length(glm::dvec3(placed[k]) - glm::dvec3((*first)[k]));
-      if (!(off <= kAgreement * (k < 3 ? size : reach + 10 * size))) return {};
+      const double off = glm::length(glm::dvec3(place[k]) - glm::dvec3(result->place[k]));
+      if (!(off <= kAgreement * (k < 3 ? size : reach + 10 * size))) result->agreed = false;
     }
   }
-  return first;
+  return result;
+}
+
+/// Whether two transforms scale alike.
+bool sameSize(const Transform& a, const Transform& b) {
+  const double x = std::abs(glm::determinant(glm::dmat3(a))), y = std::abs(glm::determinant(glm::dmat3(b)));
+  return std::abs(x - y) <= 0.03 * y;
 }
 
 /// Where a skinned mesh stands when its bones are in their bind pose.
 Transform bindTransform(const File& file, const aiMesh& mesh, int node) {
-  // In glTF a skinned mesh ignores its own node: the joints place it. The topmost joint stands for all of them.
-  if (file.gltf) {
-    int best = -1;
-    Transform placed(1);
-    for (unsigned i = 0; i < mesh.mNumBones; ++i) {
-      const auto found = file.nodeByName.find(mesh.mBones[i]->mName.C_Str());
-      if (found == file.nodeByName.end() || (best >= 0 && found->second >= best)) continue;
-      best = found->second;
-      placed = file.nodes[static_cast<std::size_t>(best)].global * transformOf(mesh.mBones[i]->mOffsetMatrix);
-    }
-    if (best >= 0) return file.toMetres * placed;
-  }
-  if (const auto placed = placeByBones(file, mesh)) return file.toMetres * *placed;
-  return file.toMetres * file.nodes[static_cast<std::size_t>(node)].global;
+  const Node& own = file.nodes[static_cast<std::size_t>(node)];
+  const auto byBones = placeByBones(file, mesh);
+  if (!byBones) return file.toMetres * own.global;
+  // In glTF a skinned mesh ignores its own node: the joints place it. In FBX too its node is no sure sign: Blender
+  // writes unit and axes of a mesh below another twice.
+  if (file.gltf || byBones->agreed) return file.toMetres * byBones->place;
+  // The bones are posed: only their size can be trusted.
+  if (sameSize(own.global, byBones->place)) return file.toMetres * own.global;
+  const Transform local = transformOf(own.source->mTransformation);
+  return file.toMetres * (sameSize(local, byBones->place) ? local : byBones->place);
 }
 
 }  // namespace
