@@ -228,8 +228,8 @@ class LeafCliTest : public QObject {
 
   void aFullDiskIsOneLineAndNothingStays_data() {
     QTest::addColumn<int>("blocks");
-    // The first file, one of the pictures, one of the last.
-    for (const int blocks : {1, 12, 60}) QTest::addRow("%d KiB", blocks) << blocks;
+    // The first file, and one of the pictures.
+    for (const int blocks : {1, 40}) QTest::addRow("%d KiB", blocks) << blocks;
   }
   void aFullDiskIsOneLineAndNothingStays() {
     QFETCH(int, blocks);
@@ -241,7 +241,7 @@ class LeafCliTest : public QObject {
     };
     const QString out = at("full/out");
     QVERIFY(QDir().mkpath(at("full")));
-    const test::ProgramRun leaf = limited(QString("leaf %1 -o %2 --variants 1 --size 400").arg(at("leaf.png"), out));
+    const test::ProgramRun leaf = limited(QString("leaf %1 -o %2 --variants 1 --size 256").arg(at("leaf.png"), out));
     QCOMPARE(leaf.status, 1);
     QVERIFY2(leaf.error.startsWith("windfall: ") && leaf.error.trimmed().count('\n') == 0, leaf.error.constData());
     QVERIFY(leaf.error.contains("large") || leaf.error.contains("space"));
@@ -349,12 +349,12 @@ class LeafCliTest : public QObject {
   }
 
   void anAutomaticAtlasIsAsSmallAsItCanBe() {
-    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("auto"), "--variants", "2", "--size", "200"}).status, 0);
+    QCOMPARE(windfallRun({"leaf", at("leaf.png"), "-o", at("auto"), "--variants", "2", "--size", "128"}).status, 0);
     QCOMPARE(windfallRun({"atlas", at("auto"), "-o", at("auto_atlas"), "--padding", "4", "--mips", "0"}).status, 0);
     const QJsonObject json = QJsonDocument::fromJson(bytesOf(at("auto_atlas/atlas.json"))).object();
     QCOMPARE(json["scale"].toDouble(), 1.0);
     const QSize size = QImage(at("auto_atlas/atlas.png")).size();
-    QVERIFY(size == QSize(256, 256) || size == QSize(512, 256));
+    QVERIFY2(size.width() * size.height() <= 256 * 256, qPrintable(QString::number(size.width())));
     QCOMPARE(windfallRun(
                  {"atlas", at("auto"), "-o", at("auto_atlas"), "--padding", "4", "--mips", "0", "--leaf-size", "100"})
                  .status,

@@ -257,6 +257,21 @@ class LeafExamplesWindow : public QObject {
     QVERIFY(settle());
   }
 
+  void linesOverASmallPhotoAreFine() {
+    QVERIFY(test::paintedLeafPhoto({150, 200}).save(at("tiny.png")));
+    QVERIFY(leaf_->openFile(at("tiny.png")));
+    QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(3), 30000);
+    leaf_->setStage(Stage::Contour);
+    QVERIFY(settle());
+    QCOMPARE(pane_->overlay().size(), pane_->base().size() * 5);
+    // The line runs where the mask ends: a place on the outline is drawn on.
+    const QPointF place = leaf_->pictures().stages()->contour[3] * 5;
+    QVERIFY(qAlpha(pane_->overlay().full().pixel(place.toPoint())) > 200);
+    shot("leaf_small_photo.png");
+    editor_->document().undoStack().undo();
+    leaf_->show(id_);
+  }
+
   void markersInOnePlaceAreTold() {
     leaf_->setStage(Stage::Regions);
     QVERIFY(settle());

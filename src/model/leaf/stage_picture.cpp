@@ -1,3 +1,5 @@
+#include "model/leaf/stage_picture.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
@@ -31,8 +33,9 @@ QImage labelPicture(const LabelField& field, bool borders) {
 /// Lines and marks in photo pixels; thin enough for any zoom, with a dark rim so that they show on any leaf.
 class Marks {
  public:
-  explicit Marks(QImage& image) : painter_(&image), unit_(std::max(image.width(), image.height()) / 700.0) {
+  Marks(QImage& image, int fine) : painter_(&image), unit_(std::max(image.width(), image.height()) / 700.0 / fine) {
     painter_.setRenderHint(QPainter::Antialiasing);
+    painter_.scale(fine, fine);
   }
   void line(const std::vector<QPointF>& points, const QColor& colour, double width, bool closed, bool rim = true) {
     QPainterPath path;
@@ -62,15 +65,19 @@ const QColor kOutline(255, 214, 64), kRoot(64, 200, 255), kTip(255, 96, 160), kM
 
 }  // namespace
 
-QImage stagePicture(const LeafStages& stages, Stage stage) {
+QImage stagePicture(const LeafStages& stages, Stage stage) { return fineStagePicture(stages, stage, 1); }
+
+QImage fineStagePicture(const LeafStages& stages, Stage stage, int fine) {
   if (stage == Stage::Photo || stage > stages.reached) return {};
-  QImage image(stages.photo.size(), QImage::Format_ARGB32);
+  if (stage != Stage::Contour && stage != Stage::Veins && stage != Stage::Regions) fine = 1;
+  QImage image(stages.photo.size() * fine, QImage::Format_ARGB32);
   image.fill(Qt::transparent);
   const auto sized = [&](const QImage& working) {
-    QImage whole(stages.photo.size(), QImage::Format_ARGB32);
+    QImage whole(stages.photo.size() * fine, QImage::Format_ARGB32);
     whole.fill(Qt::transparent);
-    QPainter(&whole).drawImage(stages.frame.topLeft(),
-                               working.scaled(stages.frame.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    QPainter(&whole).drawImage(
+        stages.frame.topLeft() * fine,
+        working.scaled(stages.frame.size() * fine, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     return whole;
   };
   FieldScale scale;
@@ -84,7 +91,7 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
       }
       break;
     case Stage::Contour: {
-      Marks marks(image);
+      Marks marks(image, fine);
       marks.line(stages.contour, kOutline, 1.6, true);
       for (const QPointF& point : stages.contour) marks.dot(point, kOutline, 2.4);
       marks.dot(stages.root, kRoot, 6);
@@ -92,7 +99,7 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
       break;
     }
     case Stage::Veins: {
-      Marks marks(image);
+      Marks marks(image, fine);
       for (const int order : {4, 3, 2, 1}) {
         static constexpr double kWidths[] = {3, 1.7, 1.0, 0.7};
         for (const Vein& vein : stages.veins) {
@@ -112,7 +119,7 @@ QImage stagePicture(const LeafStages& stages, Stage stage) {
       break;
     case Stage::Regions: {
       image = sized(labelPicture(stages.grown.regions, true));
-      Marks marks(image);
+      Marks marks(image, fine);
       for (const QPointF& marker : stages.markers) marks.dot(marker, Qt::white, 3);
       break;
     }

@@ -2,6 +2,8 @@
 
 #include <QPushButton>
 #include <QScrollBar>
+#include <QTimer>
+#include <utility>
 
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
@@ -35,7 +37,14 @@ FieldGroup* LeafInspector::addGroup(const QString& id, const QString& title) {
   return group;
 }
 
+void LeafInspector::showEvent(QShowEvent* event) {
+  FieldPanel::showEvent(event);
+  // Once: rows have their places after the event.
+  if (!std::exchange(seen_, true)) QTimer::singleShot(0, this, [this] { showStage(stage_); });
+}
+
 void LeafInspector::showStage(model::Stage stage) {
+  stage_ = stage;
   using model::Stage;
   const char* id = stage == Stage::Mask || stage == Stage::Contour           ? "contour"
                    : stage == Stage::Veins                                   ? "veins"

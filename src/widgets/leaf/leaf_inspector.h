@@ -49,6 +49,9 @@ class LeafInspector : public FieldPanel {
   /// Writes the leaf's numbers as a preset file.
   void sharePreset(QString path);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  signals:
   void openPhotoRequested();
   void replacePhotoRequested();
@@ -88,6 +91,8 @@ class LeafInspector : public FieldPanel {
   QHash<QString, NumberField*> numbers_;
   QHash<QString, CheckField*> checks_;
   QHash<QString, FieldGroup*> groups_;
+  model::Stage stage_ = model::Stage::Photo;
+  bool seen_ = false;
   PresetField* species_ = nullptr;
   ChoiceField* mapKind_ = nullptr;
   NumberField* age_ = nullptr;

@@ -1,11 +1,18 @@
 #include "widgets/leaf/leaf_pictures.h"
 
+#include <algorithm>
+
+#include "model/leaf/stage_picture.h"
+
 namespace windfall::widgets {
 
 using model::Aspect;
 using model::Stage;
 
 namespace {
+
+/// Of pictures with lines: about a thousand pixels for a small photo.
+int finenessFor(QSize photo) { return std::clamp(1000 / std::max({1, photo.width(), photo.height()}), 1, 6); }
 
 /// An edit waits so long for the next one, ms: dragging a slider is one computation, not thirty.
 constexpr int kPatience = 40;
@@ -228,7 +235,7 @@ void LeafPictures::compute() {
         } else if (picture == Stage::Distance) {
           result.picture = MipImage(model::fieldPicture(stages, field, result.scale));
         } else if (picture != Stage::Photo && picture != Stage::Variants) {
-          result.picture = MipImage(model::stagePicture(stages, picture));
+          result.picture = MipImage(model::fineStagePicture(stages, picture, finenessFor(stages.photo.size())));
         }
         return Result<StageResult>(std::move(result));
       },

@@ -150,8 +150,6 @@ class LeafExamples : public QObject {
     QVERIFY(own && lent);
     QVERIFY2(lent->front().quality > 2 * own->front().quality,
              qPrintable(QString("%1 %2").arg(lent->front().quality).arg(own->front().quality)));
-    const Leaf both[] = {leaf, red};
-    QVERIFY(scoreVariants(leaf, both, progress));
   }
 
  private:
