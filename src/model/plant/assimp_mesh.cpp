@@ -99,6 +99,11 @@ Status readInstance(const File& file, const Instance& instance, PlantGeometry& g
   const std::uint32_t fallback =
       static_cast<std::uint32_t>(std::max(0, file.nodes[static_cast<std::size_t>(instance.node)].bone));
 
+  if (!mesh.HasBones() && file.armature && file.nodes[static_cast<std::size_t>(instance.node)].bone < 0) {
+    const QString part = QString::fromUtf8(mesh.mName.C_Str()).left(60);
+    geometry.notes << QStringLiteral("its mesh \"%1\" is bound to no bone and stands still").arg(part);
+  }
+
   const std::size_t firstVertex = geometry.vertices.size(), firstIndex = geometry.indices.size();
   std::vector<Influence> own;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
