@@ -142,9 +142,24 @@ void detectFoliage(PlantGeometry& geometry) {
     small[i] = !stalks && fallsApart(geometry, geometry.parts[i]);
   }
   if (std::all_of(small.begin(), small.end(), [](char s) { return s != 0; })) return;
+  // Leaves that share their material with the wood, as where a file has none, get one of their own.
+  std::map<int, int> own;
   for (std::size_t i = 0; i < geometry.parts.size(); ++i) {
-    Material& material = geometry.materials[at(geometry.parts[i].material)];
-    if (small[i]) material.leaf = material.doubleSided = true;
+    if (small[i]) continue;
+    own.emplace(geometry.parts[i].material, -1);
+  }
+  for (std::size_t i = 0; i < geometry.parts.size(); ++i) {
+    if (!small[i]) continue;
+    int& material = geometry.parts[i].material;
+    if (const auto shared = own.find(material); shared != own.end()) {
+      if (shared->second < 0) {
+        shared->second = static_cast<int>(geometry.materials.size());
+        geometry.materials.push_back(geometry.materials[at(material)]);
+        geometry.materials.back().name = (geometry.materials.back().name + QStringLiteral(" leaves")).trimmed();
+      }
+      material = shared->second;
+    }
+    geometry.materials[at(material)].leaf = geometry.materials[at(material)].doubleSided = true;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "model/plant/bodies.h"
+#include "model/plant/foliage.h"
 #include "model/plant/import.h"
 #include "sim/bodies.h"
 #include "sim/self_buckling.h"
@@ -137,6 +138,40 @@ class ImportRepairTest : public QObject {
       ++top;
     }
     QCOMPARE(top, 4);
+  }
+
+  void leavesThatShareTheMaterialOfTheWoodAreLeavesAndTheWoodIsWood() {
+    PlantGeometry geometry;
+    geometry.materials.emplace_back();
+    const auto triangle = [&](const vec3& a, const vec3& b, const vec3& c) {
+      for (const vec3& p : {a, b, c}) {
+        Vertex vertex{};
+        vertex.position = p;
+        geometry.indices.push_back(static_cast<std::uint32_t>(geometry.vertices.size()));
+        geometry.vertices.push_back(vertex);
+      }
+    };
+    const auto endPart = [&] {
+      MeshPart part;
+      part.firstIndex =
+          geometry.parts.empty() ? 0 : geometry.parts.back().firstIndex + geometry.parts.back().indexCount;
+      part.indexCount = static_cast<std::uint32_t>(geometry.indices.size()) - part.firstIndex;
+      geometry.parts.push_back(part);
+    };
+    for (int i = 0; i < 60; ++i) {
+      const auto y = 0.1f * static_cast<float>(i);
+      triangle({0, y, 0}, {0, y + 0.1f, 0}, {0.1f, y, 0});
+    }
+    endPart();
+    for (int i = 0; i < 40; ++i) {
+      const auto y = 0.1f * static_cast<float>(i);
+      triangle({1, y, 0}, {1.05f, y, 0}, {1, y + 0.05f, 0});
+    }
+    endPart();
+    detectFoliage(geometry);
+    QCOMPARE(geometry.materials.size(), std::size_t{2});
+    QVERIFY(!geometry.materials[static_cast<std::size_t>(geometry.parts[0].material)].leaf);
+    QVERIFY(geometry.materials[static_cast<std::size_t>(geometry.parts[1].material)].leaf);
   }
 
   void aFigureIsNoTree() {
