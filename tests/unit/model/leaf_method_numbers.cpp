@@ -10,6 +10,7 @@
 #include "model/leaf/smoothing.h"
 #include "model/leaf/stages.h"
 #include "model/leaf/superpixels.h"
+#include "model/leaf/texture_bench.h"
 #include "model/leaf/working_colours.h"
 #include "support/leaf_fixture.h"
 #include "support/suite.h"
@@ -171,6 +172,14 @@ class LeafMethodNumbers : public QObject {
     for (const int threads : {2, 4}) {
       QCOMPARE(withThreads(threads, [&] { return texture(leaf_, leaf_, guided, 4); }), one);
     }
+  }
+
+  void aPeerThatIsAbsentIsNamed() {
+    int told = 0;
+    for (const sim::Benchmark& benchmark : textureBenchmarks({{"somebody's SLIC, not found", {}}})) {
+      told += benchmark.what.find("skipped: somebody's SLIC, not found") != std::string::npos;
+    }
+    QCOMPARE(told, 2);
   }
 
   void threadsChangeNoStage() {
