@@ -160,7 +160,8 @@ void RegionMatchView::whenTicked(QListWidgetItem* item) {
   std::vector<AssetId> lending = lenders();
   std::erase(lending, id);
   if (item->checkState() == Qt::Checked) lending.push_back(id);
-  shown_ = id;
+  // One that lends no longer makes room for one that does.
+  shown_ = item->checkState() == Qt::Checked ? id : AssetId();
   setLenders(lending);
   listLeaves();
   compute();
