@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "model/gltf_neighbours.h"
+
 namespace windfall::model {
 
 Result<SourceFile> readSourceFile(const QString& path) {
@@ -15,6 +17,11 @@ Result<SourceFile> readSourceFile(const QString& path) {
   SourceFile source{info.fileName(), file.readAll()};
   if (file.error() != QFileDevice::NoError) return Error{"cannot be read: " + file.errorString().toStdString()};
   if (source.bytes.isEmpty()) return Error{"is empty"};
+  if (info.suffix().compare(QLatin1String("gltf"), Qt::CaseInsensitive) == 0) {
+    Result<QByteArray> whole = takeInNeighbours(source.bytes, info.dir());
+    if (!whole) return whole.error();
+    source.bytes = *std::move(whole);
+  }
   return source;
 }
 

@@ -16,7 +16,8 @@ struct SourceFile {
   bool operator==(const SourceFile&) const = default;
 };
 
-/// Reads a file as a source. Errors without the file's name: it cannot be opened, is empty, is a folder, is over 1 GiB.
+/// Reads a file as a source; a .gltf with the files that it names beside it. Errors without the file's name: it cannot
+/// be opened, is empty, is a folder, is over 1 GiB.
 Result<SourceFile> readSourceFile(const QString& path);
 
 }  // namespace windfall::model
