@@ -1,6 +1,7 @@
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cstring>
 
@@ -12,13 +13,18 @@ namespace {
 
 const vec4 kPlainWood(0.17f, 0.12f, 0.085f, 1);  // linear
 
-/// A picture inside the file; pictures beside it are not looked for, since a source is bytes without a folder.
-QImage embeddedPicture(const aiScene& scene, const aiMaterial& material) {
+/// A picture inside the file; pictures beside it are not looked for, since a source is bytes without a folder, but
+/// noted.
+QImage embeddedPicture(const aiScene& scene, const aiMaterial& material, QStringList& notes) {
   aiString path;
   const bool named = material.GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
                      material.GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS;
   const aiTexture* texture = named ? scene.GetEmbeddedTexture(path.C_Str()) : nullptr;
-  if (texture == nullptr || texture->pcData == nullptr) return {};
+  if (texture == nullptr || texture->pcData == nullptr) {
+    const QString name = QString::fromUtf8(path.C_Str()).section(QRegularExpression(QStringLiteral("[/\\\\]")), -1);
+    if (named) notes << QStringLiteral("its picture \"%1\" is not inside the file: embed it").arg(name.left(60));
+    return {};
+  }
   if (texture->mHeight == 0) {
     QImage image;
     image.loadFromData(reinterpret_cast<const uchar*>(texture->pcData), static_cast<int>(texture->mWidth));
@@ -55,7 +61,7 @@ void readMaterials(const aiScene& scene, PlantGeometry& geometry) {
     int twoSided = 0;
     source.Get(AI_MATKEY_TWOSIDED, twoSided);
     material.doubleSided = twoSided != 0;
-    material.texture = embeddedPicture(scene, source);
+    material.texture = embeddedPicture(scene, source, geometry.notes);
     // A mesh that was given no material is wood rather than white paint.
     const bool none = material.name.isEmpty() || material.name == QLatin1String(AI_DEFAULT_MATERIAL_NAME);
     if (none && material.texture.isNull()) material.baseColor = kPlainWood;
