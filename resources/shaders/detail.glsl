@@ -22,7 +22,7 @@ struct SkinnedRing {
 };
 
 struct Entry {
-  uint ringA, ringB, chain, axial;
+  uint ringA, ringB, chain, shape;
   float sag, from, to, radius;
 };
 

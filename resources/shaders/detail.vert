@@ -20,6 +20,9 @@ layout(location = 10) out vec4 barkTint;
 layout(location = 11) out vec4 dataColor;
 layout(location = 12) flat out uint layer;
 layout(location = 13) out float twig;
+layout(location = 14) flat out vec4 baseColor;
+layout(location = 15) flat out vec4 look;
+layout(location = 16) flat out vec3 twigColor;
 
 void main() {
   Corner at = corner();
@@ -31,11 +34,14 @@ void main() {
   restNormal = vec3(at.round.x, 0.0, at.round.y);
   uint link = at.link & 0xffffffu;
   layer = at.link >> 24u;
+  baseColor = barks[3u * layer];
+  look = barks[3u * layer + 1u];
+  twigColor = barks[3u * layer + 2u].rgb;
   highlight = accent.w > 0.0 ? float((highlightBits[link >> 5u] >> (link & 31u)) & 1u) : 0.0;
   dataColor = linkColors.length() > 1 ? unpackUnorm4x8(linkColors[link]) : vec4(0.0);
   barkTint = unpackUnorm4x8(at.tint);
   // Green stems have finer bark.
-  float tile = barks[3u * layer].w * (1.0 + 2.0 * barkTint.a) / 3.0;
+  float tile = baseColor.w * (1.0 + 2.0 * barkTint.a) / 3.0;
   barkRepeats = tile > 0.0 ? max(0.0, log2(6.28318531 * at.radius / tile)) : 0.0;
   // Thinner than this there is no bark.
   float thin = barks[3u * layer + 2u].w;

@@ -8,5 +8,8 @@ void main() {
   uint key = keys[tree.firstKey + index];
   if (key >= kGrids) return;
   Entry entry = entries[tree.firstEntry + index];
-  runs[atomicAdd(cursors[key], 1u)] = uvec2(entry.ringA, entry.ringB) + tree.firstSkinned;
+  uint place = 3u * atomicAdd(cursors[key], 1u);
+  runs[place] = entry.ringA + tree.firstSkinned;
+  runs[place + 1u] = entry.ringB + tree.firstSkinned;
+  runs[place + 2u] = entry.shape;
 }

@@ -9,7 +9,7 @@ layout(std430, binding = 6) buffer Skinned { SkinnedRing skinned[]; };
 layout(std430, binding = 7) buffer Keys { uint keys[]; };
 layout(std430, binding = 8) buffer Commands { uint commands[]; };  // 5 a grid: count, instances, first index, base vertex, base instance
 layout(std430, binding = 9) buffer Cursors { uint cursors[]; };
-layout(std430, binding = 10) writeonly buffer Runs { uvec2 runs[]; };
+layout(std430, binding = 10) writeonly buffer Runs { uint runs[]; };  // 3 a run
 layout(location = 0) uniform vec4 camera;     // eye, scale
 layout(location = 1) uniform vec4 planes[4];  // inward
 layout(location = 5) uniform float parallel;
@@ -17,6 +17,7 @@ layout(local_size_x = 64) in;
 
 const float kSagitta[4] = float[4](0.5, 0.1339746, 0.03407417, 0.008555139);
 const float kNearest = 0.05;
+const float kBendSeen = 3.0;
 
 float square(vec3 v) {
   precise float s = (v.x * v.x + v.y * v.y) + v.z * v.z;
@@ -64,12 +65,12 @@ uint radialLevel(float radius, float d2) {
 }
 
 uint axialLevel(Entry entry, float d2) {
-  precise float seen = entry.sag * camera.w;
+  precise float seen = kBendSeen * (entry.sag * camera.w);
   precise float seen2 = seen * seen;
   uint level = (seen2 > d2 ? 1u : 0u) + (seen2 > 16.0 * d2 ? 1u : 0u) + (seen2 > 256.0 * d2 ? 1u : 0u);
   precise float large = (entry.radius * camera.w) * 0.125;
   precise float large2 = large * large;
-  if (large2 > d2) level = max(level, entry.axial);
+  if (large2 > d2) level = max(level, entry.shape & 3u);
   return level;
 }
 

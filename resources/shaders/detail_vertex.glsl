@@ -3,10 +3,10 @@
 #include "detail.glsl"
 #ifdef EVALUATED
 uvec4 cell;
-uvec2 run;
+uvec3 run;
 #else
 layout(location = 0) in uvec4 cell;  // place along, place around, pieces, level of the grid's sides
-layout(location = 1) in uvec2 run;   // skinned rings
+layout(location = 1) in uvec3 run;   // skinned rings; how it bends
 #endif
 layout(std430, binding = 6) readonly buffer Skinned { SkinnedRing skinned[]; };
 
@@ -55,9 +55,10 @@ Corner cornerOf(SkinnedRing ring) {
   // Towards the parent's surface at a collar, by the distance from it (4.1).
   float height = ring.outwards.w + max(ring.reach, 0.0) * dot(radial, ring.outwards.xyz);
   float blend = 1.0 - clamp(height, 0.0, 1.0);
-  corner.normal = normalize(mix(corner.normal, ring.outwards.xyz, blend * blend));
+  vec3 blended = mix(corner.normal, ring.outwards.xyz, blend * blend);
+  if (dot(blended, blended) > 1e-6) corner.normal = normalize(blended);
   float turn = around == whole ? 1.0 : angle / 6.28318531;
-  corner.bark = vec2(turn, ring.along.w);
+  corner.bark = vec2(turn, -ring.along.w);  // up the stem is up the picture
   corner.radius = ring.place.w;
   corner.link = ring.link;
   corner.tint = ring.tint;
@@ -71,8 +72,9 @@ Corner corner() {
     SkinnedRing a = skinned[run.x];
     float t = float(cell.x) / float(cell.z), s = 1.0 - t;
     float chord = distance(a.place.xyz, ring.place.xyz);
-    // Cubic Hermite with end derivatives of the chord's length.
-    vec3 m0 = a.along.xyz * chord, m1 = ring.along.xyz * chord;
+    // Cubic Hermite with the curve's own speeds.
+    vec3 m0 = a.along.xyz * (chord * float((run.z >> 2u) & 0x7fffu) / 8192.0);
+    vec3 m1 = ring.along.xyz * (chord * float(run.z >> 17u) / 8192.0);
     vec3 p = a.place.xyz * ((1.0 + 2.0 * t) * s * s) + m0 * (t * s * s) + ring.place.xyz * (t * t * (3.0 - 2.0 * t)) - m1 * (t * t * s);
     vec3 d = (ring.place.xyz - a.place.xyz) * (6.0 * t * s) + m0 * (s * (1.0 - 3.0 * t)) + m1 * (t * (3.0 * t - 2.0));
     vec3 tangent = normalize(d + a.along.xyz * 1e-12);

@@ -18,10 +18,10 @@ layout(location = 0) out vec4 color;
 layout(location = 12) flat in uint layer;
 layout(location = 13) in float twig;
 layout(binding = 3) uniform sampler2DArray pictures;
-layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };
-#define baseColor barks[3u * layer]
-#define look barks[3u * layer + 1u]
-#define twigColor (barks[3u * layer + 2u].rgb)
+// From the vertex shader: pixels beside a triangle, which derivatives need, may read nothing from a buffer.
+layout(location = 14) flat in vec4 baseColor;
+layout(location = 15) flat in vec4 look;
+layout(location = 16) flat in vec3 twigColor;
 #define PICTURE(uv) pictures, vec3(uv, float(layer))
 #else
 layout(binding = 3) uniform sampler2D picture;

@@ -33,14 +33,23 @@ struct DetailRing {
 };
 static_assert(sizeof(DetailRing) == 80);
 
+/// How a run bends: in the lowest two bits the least level along the axis where it is drawn large (0, 1, 2, 3 for 1, 2,
+/// 4, 8 pieces), then 15 bits each for the speed of its cubic at either end, in chords, 0 to 4.
+constexpr std::uint32_t detailShape(std::uint32_t axial, float speedA, float speedB) {
+  const auto bits = [](float speed) {
+    return static_cast<std::uint32_t>((speed < 0 ? 0 : speed > 3.999f ? 3.999f : speed) * 8192 + 0.5f);
+  };
+  return (axial & 3u) | bits(speedA) << 2 | bits(speedB) << 17;
+}
+
 /// A run from one ring to another that some resolutions of its chain draw.
 struct DetailEntry {
   std::uint32_t ringA = 0, ringB = 0;
   std::uint32_t chain = 0;
-  std::uint32_t axial = 0;  ///< least level along the axis where it is drawn large: 0, 1, 2, 3 for 1, 2, 4, 8 pieces
-  float sag = 0;            ///< of the curve over its chord, m
-  float from = 0, to = 0;   ///< drawn at tolerances from <= e < to, m
-  float radius = 0;         ///< of the thicker ring, m
+  std::uint32_t shape = detailShape(0, 1, 1);
+  float sag = 0;           ///< of the curve over its chord, m
+  float from = 0, to = 0;  ///< drawn at tolerances from <= e < to, m
+  float radius = 0;        ///< of the thicker ring, m
 };
 static_assert(sizeof(DetailEntry) == 32);
 
@@ -79,9 +88,11 @@ struct SkinnedRing {
 };
 static_assert(sizeof(SkinnedRing) == 80);
 
-/// An instance of a grid: indices of skinned rings.
+/// An instance of a grid: indices of skinned rings, and how it bends between them.
 struct DetailRun {
   std::uint32_t ringA = 0, ringB = 0;
+  std::uint32_t shape = 0;
 };
+static_assert(sizeof(DetailRun) == 12);
 
 }  // namespace windfall

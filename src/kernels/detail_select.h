@@ -28,6 +28,9 @@ namespace detail {
 /// Relative error of 3 * 2^k sides: 1 - cos(pi / (3 * 2^k)).
 inline constexpr float kSagitta[4] = {0.5f, 0.1339746f, 0.03407417f, 0.008555139f};
 inline constexpr float kNearest = 0.05f;  ///< m
+/// A run that bends stands off to one side all along, while the sides of a polygon stand off to both: it may by a third
+/// of the tolerance.
+inline constexpr float kBendSeen = 3;
 
 WINDFALL_HD float square(vec3 v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; }
 
@@ -67,11 +70,11 @@ WINDFALL_HD std::uint32_t radialLevel(float radius, float distance2, float scale
 
 /// 0 to 3: pieces are 2^level.
 WINDFALL_HD std::uint32_t axialLevel(const DetailEntry& entry, float distance2, float scale) {
-  const float seen = entry.sag * scale, seen2 = seen * seen;
+  const float seen = kBendSeen * (entry.sag * scale), seen2 = seen * seen;
   std::uint32_t level =
       (seen2 > distance2 ? 1 : 0) + (seen2 > 16 * distance2 ? 1 : 0) + (seen2 > 256 * distance2 ? 1 : 0);
   const float large = entry.radius * scale * 0.125f;
-  if (large * large > distance2) level = std::max(level, entry.axial);
+  if (large * large > distance2) level = std::max(level, entry.shape & 3u);
   return level;
 }
 

@@ -42,8 +42,9 @@ class Builder {
   void build(std::size_t c);
   DetailRing ringOf(const Ring& from, std::size_t c, const Ring& before, const Ring& after) const;
   static void addTip(Part& part);
-  void addPiece(Part& part, const RingChain& chain, std::uint32_t first, std::uint32_t last, bool tip) const;
-  DetailEntry entryOf(const Part& part, const Ring* rings, std::uint32_t a, std::uint32_t b) const;
+  void addPiece(Part& part, std::size_t c, std::uint32_t first, std::uint32_t last, bool tip) const;
+  DetailEntry entryOf(const Part& part, const Ring* rings, const ChainCurve& curve, std::uint32_t a,
+                      std::uint32_t b) const;
   void widen(DetailMesh& mesh) const;
 
   const SkeletonGraph& graph_;
@@ -105,26 +106,52 @@ void Builder::addTip(Part& part) {
   add(index, index + 2, kDomeSeen, kTipSeen);
 }
 
-DetailEntry Builder::entryOf(const Part& part, const Ring* rings, std::uint32_t a, std::uint32_t b) const {
+/// The piece of a curve between two rings that follow each other; nothing where there is none, below the ground.
+struct Bend {
+  float speedA = 1, speedB = 1;  ///< at its ends, in chords
+  float sag = 0;                 ///< m
+};
+
+Bend bendOf(const ChainCurve& curve, const Ring& a, const Ring& b) {
+  Bend bend;
+  if (a.along < 0 || (a.span != b.span && a.t < 1)) return bend;
+  const CurveSpan& span = curve.spans[at(b.span)];
+  const float t0 = a.span == b.span ? a.t : 0, share = b.t - t0;
+  const vec3 chord = b.position - a.position;
+  const float length = glm::length(chord);
+  if (!(length > 1e-7f)) return bend;
+  bend.speedA = glm::length(span.derivative(t0)) * share / length;
+  bend.speedB = glm::length(span.derivative(b.t)) * share / length;
+  for (const float t : {0.25f, 0.5f, 0.75f}) {
+    const vec3 off = span.point(t0 + share * t) - a.position;
+    bend.sag = std::max(bend.sag, glm::length(off - chord * (glm::dot(off, chord) / (length * length))));
+  }
+  return bend;
+}
+
+DetailEntry Builder::entryOf(const Part& part, const Ring* rings, const ChainCurve& curve, std::uint32_t a,
+                             std::uint32_t b) const {
   DetailEntry entry;
   entry.ringA = a, entry.ringB = b;
   bool kids = false;
+  float speedA = 1, speedB = 1;
   for (std::uint32_t i = a; i < b; ++i) {
-    const vec3 chord = part.rings[i + 1].position - part.rings[i].position;
-    const vec3 &t0 = part.rings[i].tangent, &t1 = part.rings[i + 1].tangent;
-    const float angle = std::atan2(glm::length(glm::cross(t0, t1)), glm::dot(t0, t1));
-    entry.sag = std::max(entry.sag, glm::length(chord) * angle / 8);
+    const Bend bend = bendOf(curve, rings[i], rings[i + 1]);
+    entry.sag = std::max(entry.sag, bend.sag);
+    if (b == a + 1) speedA = bend.speedA, speedB = bend.speedB;
     kids = kids || rings[i].kids > 0;
   }
   const float ra = part.rings[a].radius, rb = part.rings[b].radius;
   entry.radius = std::max(ra, rb);
   float pieces = std::abs(std::log(rb / ra)) / -std::log(kTaper);
   if (kids) pieces = std::max(pieces, std::sqrt(entry.sag / (kKidChord * std::min(ra, rb))));
-  entry.axial = static_cast<std::uint32_t>(std::clamp(std::ceil(std::log2(std::max(pieces, 1.0f))), 0.0f, kMostAxial));
+  const float axial = std::clamp(std::ceil(std::log2(std::max(pieces, 1.0f))), 0.0f, kMostAxial);
+  entry.shape = detailShape(static_cast<std::uint32_t>(axial), speedA, speedB);
   return entry;
 }
 
-void Builder::addPiece(Part& part, const RingChain& chain, std::uint32_t first, std::uint32_t last, bool tip) const {
+void Builder::addPiece(Part& part, std::size_t c, std::uint32_t first, std::uint32_t last, bool tip) const {
+  const RingChain& chain = set_.chains[c];
   const Ring* rings = set_.rings.data() + chain.first;
   DetailChain piece;
   piece.firstEntry = static_cast<std::uint32_t>(part.entries.size());
@@ -150,7 +177,7 @@ void Builder::addPiece(Part& part, const RingChain& chain, std::uint32_t first, 
       const float from = detailTolerance(k);
       const float to = std::min(end < kDetailLevels ? detailTolerance(end) : kForever, std::max(part.visible, 1e-4f));
       if (from >= to) continue;
-      DetailEntry entry = entryOf(part, rings, first + a, first + b);
+      DetailEntry entry = entryOf(part, rings, curves_[c], first + a, first + b);
       entry.from = from, entry.to = to;
       part.entries.push_back(entry);
     }
@@ -183,7 +210,7 @@ void Builder::build(std::size_t c) {
   part.visible = std::max(chain.length - chain.exit, 0.0f) + part.rings.back().radius;
   const std::uint32_t runs = chain.count - 1, pieces = (runs + kPiece - 1) / kPiece;
   for (std::uint32_t p = 0; p < pieces; ++p) {
-    addPiece(part, chain, runs * p / pieces, runs * (p + 1) / pieces, p + 1 == pieces);
+    addPiece(part, c, runs * p / pieces, runs * (p + 1) / pieces, p + 1 == pieces);
   }
 }
 

@@ -202,7 +202,7 @@ Status DetailPass::allocate() {
     glVertexArrayAttribIFormat(array, 0, 4, GL_UNSIGNED_BYTE, 0);
     glVertexArrayAttribBinding(array, 0, 0);
     glEnableVertexArrayAttrib(array, 1);
-    glVertexArrayAttribIFormat(array, 1, 2, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribIFormat(array, 1, 3, GL_UNSIGNED_INT, 0);
     glVertexArrayAttribBinding(array, 1, 1);
     glVertexArrayBindingDivisor(array, 1, 1);
   }

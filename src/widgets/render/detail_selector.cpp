@@ -68,8 +68,8 @@ void DetailSelector::selectBlock(Block& block, const DetailCamera& camera, std::
       if (grid < 0) continue;
       use(entry.ringA);
       use(entry.ringB);
-      block.chosen.push_back(
-          {{tree.firstSkinned + entry.ringA, tree.firstSkinned + entry.ringB}, static_cast<std::uint32_t>(grid)});
+      block.chosen.push_back({{tree.firstSkinned + entry.ringA, tree.firstSkinned + entry.ringB, entry.shape},
+                              static_cast<std::uint32_t>(grid)});
       ++block.counts[static_cast<std::size_t>(grid)];
     }
   }

@@ -21,13 +21,15 @@ constexpr std::array kMeshes{BenchMesh::Uniform, BenchMesh::Bounded, BenchMesh::
 constexpr std::array kNames{"uniform 16 x 8", "error bound at 1 m", "adaptive"};
 constexpr float kFieldOfView = 0.7f;
 constexpr float kTolerance = 0.35f;  // px
+constexpr float kMoved = 0.1f;       // px: what a reader of pictures cannot see
 
 struct Path {
   const char* name;
   float from, to;  ///< m before the first row
 };
 
-render::View viewAt(const Path& path, int frame, int frames) {
+/// Turned to the side by `moved` px.
+render::View viewAt(const Path& path, int frame, int frames, float moved = 0, float scale = 1) {
   const float share = frames > 1 ? static_cast<float>(frame) / static_cast<float>(frames - 1) : 0;
   const float distance = path.from + (path.to - path.from) * share;
   render::View view;
@@ -35,6 +37,7 @@ render::View viewAt(const Path& path, int frame, int frames) {
   view.target = {0.0f, 0.42f, 0.0f};
   view.fieldOfView = kFieldOfView;
   view.tolerance = kTolerance;
+  view.target.x += moved / scale * distance;
   return view;
 }
 
@@ -58,9 +61,33 @@ std::size_t drawnVertices(const BenchScene& scene, BenchMesh mesh, bool triangle
 struct Runner {
   std::unique_ptr<render::DetailStage> stage;
   std::vector<double> times;
-  std::vector<render::Picture> pictures;
+  std::vector<render::Picture> pictures;  ///< with the window's samples
+  std::vector<render::Picture> fine;      ///< with four times as many
   double vertices = 0, triangles = 0;
 };
+
+/// A picture of half the size, each pixel the mean of four.
+render::Picture halved(const render::Picture& from) {
+  render::Picture to{from.width / 2, from.height / 2, {}};
+  const auto row = static_cast<std::size_t>(from.width) * 4;
+  to.rgba.reserve(from.rgba.size() / 4);
+  for (int y = 0; y < to.height; ++y) {
+    const std::uint8_t* upper = from.rgba.data() + row * 2 * static_cast<std::size_t>(y);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(to.width) * 8; x += 8) {
+      for (std::size_t c = x; c < x + 4; ++c) {
+        to.rgba.push_back(
+            static_cast<std::uint8_t>((upper[c] + upper[c + 4] + upper[row + c] + upper[row + c + 4] + 2) / 4));
+      }
+    }
+  }
+  return to;
+}
+
+double meanSimilarity(const std::vector<render::Picture>& a, const std::vector<render::Picture>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += similarity(a[i], b[i]) / static_cast<double>(a.size());
+  return sum;
+}
 
 Status keepPictures(const std::string& folder, const Path& path, int mesh, const Runner& runner) {
   const QDir dir(QString::fromStdString(folder));
@@ -79,12 +106,12 @@ DetailBenchRow rowOf(const Path& path, const char* name, const Runner& runner, c
   row.path = path.name;
   row.mesh = name;
   const auto frames = static_cast<double>(runner.times.size());
-  row.ssim = 0;
+  row.ssim = meanSimilarity(runner.fine, finest.fine);
+  row.windowSsim = meanSimilarity(runner.pictures, finest.pictures);
   double pixels = 0, all = 0;
   for (std::size_t i = 0; i < runner.times.size(); ++i) {
     row.mean += runner.times[i] / frames;
     row.worst = std::max(row.worst, runner.times[i]);
-    row.ssim += similarity(runner.pictures[i], finest.pictures[i]) / frames;
     pixels += barkPixels(runner.pictures[i]);
     all += barkPixels(finest.pictures[i]);
   }
@@ -139,6 +166,20 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
     runners[m].stage = std::move(*stage);
   }
   std::vector<DetailBenchRow> rows;
+  // Pictures of twice the size, halved: 16 samples a pixel.
+  auto large = render::DetailStage::create(2 * options.width, 2 * options.height);
+  if (!large) return large.error();
+  const auto photograph = [&](const Path& path, BenchMesh mesh, float moved) -> Result<std::vector<render::Picture>> {
+    if (const Status set = (*large)->setContent(scene.content(mesh)); !set) return set.error();
+    std::vector<render::Picture> pictures;
+    for (int frame = 0; frame < options.frames; ++frame) {
+      render::View view = viewAt(path, frame, options.frames, moved, focal);
+      view.tolerance *= 2;
+      (*large)->draw(view, scene.pose(static_cast<float>(frame) / 24), mesh == BenchMesh::Adaptive, true);
+      pictures.push_back(halved((*large)->read()));
+    }
+    return pictures;
+  };
   for (const Path& path : {Path{"near", 9, 1}, Path{"far", 40, 15}}) {
     for (Runner& runner : runners) {
       runner.times.assign(static_cast<std::size_t>(options.frames), 1e9);
@@ -164,6 +205,21 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
         }
       }
     }
+    Runner moved;
+    for (int frame = 0; frame < options.frames; ++frame) {
+      render::DetailStage& stage = *runners[0].stage;
+      stage.draw(viewAt(path, frame, options.frames, kMoved, focal), scene.pose(static_cast<float>(frame) / 24), false,
+                 true);
+      moved.pictures.push_back(stage.read());
+    }
+    for (std::size_t m = 0; m < kMeshes.size(); ++m) {
+      auto fine = photograph(path, kMeshes[m], 0);
+      if (!fine) return fine.error();
+      runners[m].fine = std::move(*fine);
+    }
+    auto fine = photograph(path, BenchMesh::Uniform, kMoved);
+    if (!fine) return fine.error();
+    moved.fine = std::move(*fine);
     for (std::size_t m = 0; m < kMeshes.size(); ++m) {
       if (!options.pictures.empty()) {
         const Status kept = keepPictures(options.pictures, path, static_cast<int>(m), runners[m]);
@@ -172,13 +228,22 @@ Result<std::vector<DetailBenchRow>> benchDetail(const DetailBenchOptions& option
       rows.push_back(rowOf(path, kNames[m], runners[m], runners[0]));
       const DetailBenchRow& row = rows.back();
       const DetailBenchRow& first = rows[rows.size() - 1 - m];
-      char line[200];
-      std::snprintf(line, sizeof line,
-                    "  %-5s %-19s %8.2f ms  worst %8.2f  %9.0f vertices %9.0f triangles  bark %.3f  SSIM %.4f  %.1f x",
-                    row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark,
-                    row.ssim, first.mean / row.mean);
+      char line[240];
+      std::snprintf(
+          line, sizeof line,
+          "  %-5s %-19s %8.2f ms  worst %8.2f  %9.0f vertices %9.0f triangles  bark %.3f  SSIM %.4f, with the "
+          "window's samples %.4f  %.1f x",
+          row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark, row.ssim,
+          row.windowSsim, first.mean / row.mean);
       say(line);
     }
+    char line[200];
+    std::snprintf(
+        line, sizeof line,
+        "  %-5s the uniform mesh against itself, turned by %.1f px: SSIM %.4f, with the window's samples %.4f",
+        path.name, static_cast<double>(kMoved), meanSimilarity(moved.fine, runners[0].fine),
+        meanSimilarity(moved.pictures, runners[0].pictures));
+    say(line);
     say(verdict(rows[rows.size() - 3], rows[rows.size() - 2], rows.back()));
   }
   for (Runner& runner : runners) runner.stage.reset();
@@ -190,8 +255,9 @@ std::string detailJson(const DetailBenchRow& row) {
   std::snprintf(
       text, sizeof text,
       R"({"path": "%s", "mesh": "%s", "milliseconds": %.4g, "worst": %.4g, "vertices": %.0f, "triangles": %.0f, )"
-      R"("bark": %.5f, "ssim": %.5f})",
-      row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark, row.ssim);
+      R"("bark": %.5f, "ssim": %.5f, "windowSsim": %.5f})",
+      row.path.c_str(), row.mesh.c_str(), row.mean, row.worst, row.vertices, row.triangles, row.bark, row.ssim,
+      row.windowSsim);
   return text;
 }
 

@@ -34,7 +34,7 @@ class Corners {
                                               "  uint i = gl_GlobalInvocationID.x;\n"
                                               "  if (i >= uint(asked.length())) return;\n"
                                               "  cell = uvec4(0u, asked[i].y, 1u, asked[i].z);\n"
-                                              "  run = uvec2(asked[i].x);\n"
+                                              "  run = uvec3(asked[i].x);\n"
                                               "  told[i] = vec4(corner().position, 0.0);\n"
                                               "}\n",
                                               {});
