@@ -133,6 +133,11 @@ bool describeLeaf(const LeafOptions& options, model::Leaf& leaf, Failure& failur
   leaf.parameters.ageing.wetness = options.wetness;
   leaf.parameters.synthesis.size = options.size;
   leaf.parameters.synthesis.guided = options.mode == "guided";
+  if (options.mode == "thesis") {
+    leaf.parameters.synthesis.asThesis = true;
+    leaf.parameters.synthesis.levels = 5;
+    leaf.parameters.synthesis.detail = false;
+  }
   leaf.parameters.veins.seed = options.seed;
   leaf.parameters.veins.fromPhoto = options.photoVeins;
   leaf.parameters.mask.keepHoles = !options.fillHoles;
@@ -302,8 +307,9 @@ void declareLeaf(CLI::App& app, Action& action) {
   command->add_flag("--in-turn", options->inTurn, "Of several examples each texture takes one, in turn");
   command
       ->add_option("--mode", options->mode,
-                   "guided: patches that lie along the veins; classic: superpixels, smoothed, with a layer of detail")
-      ->check(CLI::IsMember({"guided", "classic"}))
+                   "guided: patches that lie along the veins; classic: superpixels, smoothed, with a layer of detail; "
+                   "thesis: classic as the thesis has it")
+      ->check(CLI::IsMember({"guided", "classic", "thesis"}))
       ->capture_default_str();
   command->add_option("--variants", options->variants, "How many textures")
       ->check(CLI::Range(0, 999))

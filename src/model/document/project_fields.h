@@ -86,6 +86,7 @@ void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
   io.number("levels", synthesis.levels, 1, 5);
   io.number("choices", synthesis.choices, 1, 10'000);
   io.flag("detail", synthesis.detail);
+  io.flag("asThesis", synthesis.asThesis);
   io.number("guideWeight", synthesis.guideWeight, 0, 1e6);
   io.number("smoothing", synthesis.smoothing, 0, 1e6);
 }

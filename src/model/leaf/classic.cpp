@@ -106,11 +106,13 @@ std::vector<SuperpixelMean> chooseSuperpixels(const LeafStages& target, const Le
         const bool matched = &pool != &members[0];
         const Span &own = toSpans[matched ? static_cast<size_t>(mean.region) : 0],
                    &its = fromSpans[matched ? region : 0];
-        const float distance = its.at(0, own.share(0, mean.distance));
+        // The thesis knows the structural distance alone, as it is.
+        const bool plain = parameters.asThesis;
+        const float distance = plain ? mean.distance : its.at(0, own.share(0, mean.distance));
         const float vein = its.at(1, own.share(1, mean.veinDistance));
         for (const int e : pool) {
           const SuperpixelMean& other = source[static_cast<size_t>(e)].mean;
-          const float ds = distance - other.distance, dg = vein - other.veinDistance;
+          const float ds = distance - other.distance, dg = plain ? 0 : vein - other.veinDistance;
           nearest.emplace_back(ds * ds + dg * dg, e);
         }
         const auto count = std::min<size_t>(static_cast<size_t>(std::max(1, parameters.candidates)), nearest.size());

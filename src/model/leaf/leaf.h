@@ -82,6 +82,7 @@ struct SynthesisParameters {
   int choices = 2;            ///< M: drawn from them; the one whose colour is nearest to the coarser level's is taken
   double smoothing = 1.0;     ///< w1
   bool detail = true;         ///< the example's fine detail on top
+  bool asThesis = false;  ///< classic: regions and places are matched as in the thesis, by structural distance alone
   bool operator==(const SynthesisParameters&) const = default;
 };
 

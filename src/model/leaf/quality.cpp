@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "kernels/random.h"
 #include "model/leaf/quality_private.h"
 
 namespace windfall::model {
@@ -16,6 +17,7 @@ constexpr int kVeinBins = 7;
 constexpr double kVeinReach = 18, kVeinBlur = 8;  // px at 512
 constexpr double kLeastVeins = 0.02;
 constexpr double kCopyBlur = 8;  // px at 512
+constexpr int kCeilingPairs = 20000;
 
 using Profile = std::array<cv::Vec3f, kVeinBins>;
 
@@ -237,6 +239,22 @@ double diversity(const ScoredLeaf& made, const std::vector<float>& other) {
     }
   }
   return count > 0 ? sum / count : 0;
+}
+
+double diversityCeiling(const ScoredLeaf& example) {
+  const MeasuredLeaf shape = measureLeaf(example);
+  const cv::Mat3f low = lowPass(example, example.lab);
+  std::vector<cv::Point> places;
+  cv::findNonZero(shape.leaf, places);
+  if (places.empty()) return 0;
+  RandomSequence random(23);
+  const auto any = [&] { return low(places[random.below(static_cast<std::uint32_t>(places.size()))]); };
+  double sum = 0;
+  for (int i = 0; i < kCeilingPairs; ++i) {
+    const cv::Vec3f a = any(), b = any();
+    sum += cv::norm(a - b);
+  }
+  return sum / kCeilingPairs;
 }
 
 }  // namespace windfall::model

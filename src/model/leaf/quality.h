@@ -52,6 +52,10 @@ double copyIndex(const ScoredLeaf& made, const std::vector<float>& stretched);
 /// Mean difference (CIE76) of the low-pass Lab of two pictures of one leaf shape: how unlike two seeds are.
 double diversity(const ScoredLeaf& made, const std::vector<float>& other);
 
+/// What the diversity of two random rearrangements of a leaf's own low-pass colours would be: a plain leaf's variants
+/// cannot differ more without colours that it does not have.
+double diversityCeiling(const ScoredLeaf& example);
+
 /// The example's colours, stretched into the target's shape row by row, rows across the line from root to tip.
 /// Axes in pixels of the structures.
 std::vector<float> stretchRows(const LeafStructure& target, const std::array<QPointF, 2>& targetAxis,

@@ -39,7 +39,7 @@ class Collected {
   }
   void differ(double diversity) { diversity_ += diversity, ++compared_; }
   QualityRow row(const std::string& pair, const std::string& method) const {
-    QualityRow row{pair, method, 0, 0, {}, 0, 0};
+    QualityRow row{pair, method, 0, 0, {}, 0, 0, 0};
     row.terms.coherence = row.terms.completeness = 0;
     const auto count = static_cast<double>(std::max<size_t>(1, terms_.size()));
     for (const QualityTerms& terms : terms_) {
@@ -123,6 +123,7 @@ class Bench {
     const std::vector<float> colours = workingColours(*example);
     const ScoredLeaf source{&example->seen, colours};
     const QualityReference reference(source);
+    const double ceiling = diversityCeiling(source);
     const std::vector<float> stretched =
         stretchRows(target->grown, workingAxis(*target), source, workingAxis(*example));
     const auto collect = [&](const std::string& method, const std::function<std::vector<float>(quint64)>& make) {
@@ -137,6 +138,7 @@ class Bench {
       }
       if (progress_.cancelled()) return;
       rows_.push_back(collected.row(name, method));
+      rows_.back().ceiling = ceiling;
       say_(qualityLine(rows_.back()));
     };
     for (const Method& method : methods(withBaselines)) {
@@ -175,7 +177,8 @@ class Bench {
     if (!withBaselines) return methods;
     methods.push_back(classic("classic", ours.levels, ours.candidates, ours.choices, false));
     methods.push_back(classic("classic with detail, N 16 M 6", 5, 16, 6, true));
-    methods.push_back(classic("thesis: N 16 M 6, 5 levels", 5, 16, 6, false));
+    methods.push_back(classic("thesis: 5 levels, N 16 M 6", 5, 16, 6, false));
+    methods.back().parameters.asThesis = true;
     methods.push_back({"guided, without guides", ours});
     methods.back().parameters.guideWeight = 0;
     return methods;
@@ -193,28 +196,30 @@ class Bench {
 std::string qualityHeading() {
   return "leaf.quality: Q = 100 (A B C D)^(1/4), means over seeds\n"
          "  example -> target                          method                           Q    +-     A     B     C     D"
-         "    dC  band  grad   coh  comp  copy  diversity";
+         "    dC  band  grad   coh  comp  copy  diversity  of";
 }
 
 std::string qualityLine(const QualityRow& row) {
   char text[256];
   const QualityTerms& t = row.terms;
   std::snprintf(text, sizeof text,
-                "  %-42s %-30s %5.1f %5.1f %5.2f %5.2f %5.2f %5.2f %5.1f %5.2f %5.2f %5.2f %5.2f %5.2f %6.1f",
+                "  %-42s %-30s %5.1f %5.1f %5.2f %5.2f %5.2f %5.2f %5.1f %5.2f %5.2f %5.2f %5.2f %5.2f %6.1f %6.1f",
                 row.pair.c_str(), row.method.c_str(), row.score, row.deviation, t.colour, t.texture, t.patches, t.veins,
-                t.difference, t.bands, t.gradients, t.coherence, t.completeness, row.copyIndex, row.diversity);
+                t.difference, t.bands, t.gradients, t.coherence, t.completeness, row.copyIndex, row.diversity,
+                row.ceiling);
   return text;
 }
 
 std::string qualityJson(const QualityRow& row) {
   char text[640];
   const QualityTerms& t = row.terms;
-  std::snprintf(text, sizeof text,
-                R"({"pair": "%s", "method": "%s", "q": %.6g, "deviation": %.6g, "colour": %.6g, "texture": %.6g, )"
-                R"("patches": %.6g, "veins": %.6g, "difference": %.6g, "bands": %.6g, "gradients": %.6g, )"
-                R"("coherence": %.6g, "completeness": %.6g, "copyIndex": %.6g, "diversity": %.6g})",
-                row.pair.c_str(), row.method.c_str(), row.score, row.deviation, t.colour, t.texture, t.patches, t.veins,
-                t.difference, t.bands, t.gradients, t.coherence, t.completeness, row.copyIndex, row.diversity);
+  std::snprintf(
+      text, sizeof text,
+      R"({"pair": "%s", "method": "%s", "q": %.6g, "deviation": %.6g, "colour": %.6g, "texture": %.6g, )"
+      R"("patches": %.6g, "veins": %.6g, "difference": %.6g, "bands": %.6g, "gradients": %.6g, )"
+      R"("coherence": %.6g, "completeness": %.6g, "copyIndex": %.6g, "diversity": %.6g, "diversityCeiling": %.6g})",
+      row.pair.c_str(), row.method.c_str(), row.score, row.deviation, t.colour, t.texture, t.patches, t.veins,
+      t.difference, t.bands, t.gradients, t.coherence, t.completeness, row.copyIndex, row.diversity, row.ceiling);
   return text;
 }
 

@@ -26,6 +26,7 @@ struct QualityRow {
   QualityTerms terms;
   double copyIndex = 0;
   double diversity = 0;  ///< CIE76 between seeds
+  double ceiling = 0;    ///< of the diversity, by the example (diversityCeiling)
 };
 
 /// The line above rows, and one row for people.

@@ -97,6 +97,23 @@ std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& 
   return match;
 }
 
+std::vector<int> matchRegionsAsThesis(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
+                                      double best) {
+  const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  std::vector<int> match(targets.size(), 0);
+  if (examples.empty()) return match;
+  const auto kept = std::max<size_t>(1, static_cast<size_t>(best * static_cast<double>(examples.size())));
+  for (size_t t = 0; t < targets.size(); ++t) {
+    std::vector<std::pair<double, int>> order;
+    for (size_t e = 0; e < examples.size(); ++e) {
+      order.emplace_back(-thesisSimilarity(targets[t], examples[e]), static_cast<int>(e) + 1);
+    }
+    std::sort(order.begin(), order.end());
+    match[t] = order[random.below(static_cast<std::uint32_t>(std::min(kept, order.size())))].second;
+  }
+  return match;
+}
+
 int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo) {
   const QPointF working = stages.toWorking(photo);
   const int x = static_cast<int>(std::floor(working.x())), y = static_cast<int>(std::floor(working.y()));
@@ -104,12 +121,17 @@ int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo)
   return regions.values[static_cast<size_t>(y) * static_cast<size_t>(regions.size.width()) + static_cast<size_t>(x)];
 }
 
-std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random) {
+std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random,
+                               bool asThesis) {
   const RegionParameters& parameters = target.made.parameters.regions;
-  std::vector<int> match = matchRegions(target.grown, example.seen, random, parameters);
+  const auto choose = [&](RandomSequence& by) {
+    return asThesis ? matchRegionsAsThesis(target.grown, example.seen, by, parameters.best)
+                    : matchRegions(target.grown, example.seen, by, parameters);
+  };
+  std::vector<int> match = choose(random);
   if (parameters.hold) {
     RandomSequence held(parameters.seed, 211);
-    match = matchRegions(target.grown, example.seen, held, parameters);
+    match = choose(held);
   }
   for (const RegionPair& pair : target.made.regionPairs) {
     const int to = regionAt(target, target.grown.regions, pair.target);

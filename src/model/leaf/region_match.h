@@ -30,9 +30,15 @@ double thesisSimilarity(const RegionShape& a, const RegionShape& b);
 std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
                               const RegionParameters& parameters = {});
 
+/// The thesis's own match: of the best share of the example's regions by thesisSimilarity one by chance, however often
+/// it is used and whether blade or petiole.
+std::vector<int> matchRegionsAsThesis(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
+                                      double best = 0.2);
+
 /// The match by which `target` takes colours of `example`: by the target's region parameters (held: by their own seed,
 /// and `random` moves on all the same), and by hand where it has pairs for this example. 1.. .
-std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random);
+std::vector<int> chooseRegions(const LeafStages& target, const LeafStages& example, RandomSequence& random,
+                               bool asThesis = false);
 
 /// The region at a place of the photo, 0: none.
 int regionAt(const LeafStages& stages, const LabelField& regions, QPointF photo);

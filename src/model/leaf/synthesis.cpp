@@ -68,7 +68,8 @@ Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, c
   const Error cancelled{"cancelled", true};
   RandomSequence random(seed, 211);
   const std::vector<float> colours = workingColours(example);
-  const std::vector<int> match = chooseRegions(target, example, random);
+  const bool thesis = !parameters.guided && parameters.asThesis;
+  const std::vector<int> match = chooseRegions(target, example, random, thesis);
   progress.report(0.1);
   if (progress.cancelled()) return cancelled;
   std::vector<float> result =

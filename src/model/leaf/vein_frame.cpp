@@ -105,7 +105,7 @@ VeinFrame findVeinFrame(const LeafStructure& structure, QPointF root, QPointF ti
   cv::Mat1f depth, half;
   cv::distanceTransform(~open, depth, cv::DIST_L2, 3);
   const int widest = 2 * std::max(2, std::max(width, height) / 100) + 1;
-  cv::dilate(depth, half, cv::getStructuringElement(cv::MORPH_ELLIPSE, {widest, widest}));
+  cv::dilate(depth, half, cv::getStructuringElement(cv::MORPH_RECT, {widest, widest}));
   std::vector<float> halfOf(1, 0.f);
   const float fallback = static_cast<float>(std::atan2(tip.y() - root.y(), tip.x() - root.x()));
   std::vector<float> angleOf(1, fallback), standingOf(1, 0.f);

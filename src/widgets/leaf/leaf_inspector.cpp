@@ -325,6 +325,11 @@ void LeafInspector::addSynthesis() {
       tr("Lays the photo's fine grain over the smooth colours"),
       [](const LeafParameters& p) { return p.synthesis.detail; },
       [](LeafParameters& p, bool on) { p.synthesis.detail = on; }));
+  ofClassic.push_back(flag(
+      synthesis, "synthesis.asThesis", tr("As in the thesis"), defaults.synthesis.asThesis,
+      tr("Regions are matched by areas in pixels, places by structural distance alone"),
+      [](const LeafParameters& p) { return p.synthesis.asThesis; },
+      [](LeafParameters& p, bool on) { p.synthesis.asThesis = on; }));
   refreshers_.push_back([ofClassic, ofGuided](const model::Leaf& leaf) {
     const bool guided = leaf.parameters.synthesis.guided;
     for (QWidget* field : ofClassic) field->setVisible(!guided);

@@ -87,6 +87,22 @@ class LeafQuality : public QObject {
     QVERIFY(std::abs(copyIndex(example_, lighter) - 1) < 1e-6);
   }
 
+  void plainLeavesHaveALowCeilingOfDiversity() {
+    // Two colours in equal halves: two draws differ in half the cases, by the distance of the colours.
+    ScoredLeaf halves = example_;
+    const int width = stages_.seen.distance.size.width();
+    double left = 0, all = 0;
+    for (size_t i = 0; i < halves.lab.size() / 3; ++i) {
+      const bool first = static_cast<int>(i) % width < width / 2;
+      halves.lab[3 * i] = first ? 40 : 60, halves.lab[3 * i + 1] = 0, halves.lab[3 * i + 2] = 0;
+      if (stages_.seen.regions.values[i] > 0) left += first, ++all;
+    }
+    const double wanted = 20 * 2 * (left / all) * (1 - left / all);
+    QVERIFY2(std::abs(diversityCeiling(halves) - wanted) < 1, qPrintable(QString::number(diversityCeiling(halves))));
+    for (float& value : halves.lab) value = 30;
+    QVERIFY(diversityCeiling(halves) < 1e-3);
+  }
+
   void theScoreDoesNotDependOnTheResolution() {
     // The same leaf at 256 px, scored by itself with lengths that follow.
     Progress progress;
