@@ -30,7 +30,7 @@ float tilePlates(quint64 seed, float x, float y, int width, int height) {
       const auto wy = static_cast<std::uint32_t>((iy % height + height) % height);
       const float px = static_cast<float>(ix) + 0.15f + 0.7f * uniform(seed, wx, wy, 1);
       const float py = static_cast<float>(iy) + 0.05f + 0.9f * uniform(seed, wx, wy, 2);
-      const float distance = std::hypot(px - x, py - y);
+      const float distance = std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
       if (distance < nearest) {
         second = nearest, nearest = distance;
       } else {

@@ -30,7 +30,7 @@ struct Light {
 
 /// How finely trees are drawn.
 struct DetailSettings {
-  bool adaptive = false;   ///< wood by what is seen of it; else the whole mesh of every tree
+  bool adaptive = true;    ///< wood by what is seen of it; else the whole mesh of every tree
   double tolerance = 0.5;  ///< px that adaptive wood may be off
   bool operator==(const DetailSettings&) const = default;
 };

@@ -269,6 +269,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   impl.updateLinkColors(view);
   const ShadowFit fit = fitShadow(impl.extent.center(), impl.extent.radius(), impl.skySun, impl.shadow.size());
   View lit = view;
+  lit.adaptive = view.adaptive || impl.trees.needsAdaptive();
   lit.toSun = impl.skySun;
   FrameUniforms uniforms = frameUniforms(lit, impl.skyLight, fit);
   setCanopies(uniforms, impl.extent.canopies());
@@ -300,7 +301,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   }
   impl.chooseDetail(lit, fit);
   impl.drawShadows(lit, fit);
-  impl.drawPicture(view);
+  impl.drawPicture(lit);
   impl.drawPresent(view, framebuffer);
   if (impl.counts.slot >= 0) impl.ring.fence(impl.counts.slot);
 

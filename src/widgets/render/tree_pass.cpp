@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "widgets/render/mip_chain.h"
@@ -96,6 +97,15 @@ void attribute(GLuint array, GLuint location, GLint count, GLenum type, std::siz
   glVertexArrayAttribBinding(array, location, 0);
 }
 
+/// The outline of each ring.
+void addRings(const DetailMesh& detail, Bounds& bounds) {
+  for (const DetailRing& ring : detail.rings) {
+    const vec3 reach = ring.radius * glm::sqrt(glm::max(vec3(1) - ring.tangent * ring.tangent, vec3(0)));
+    bounds.add(ring.position - reach);
+    bounds.add(ring.position + reach);
+  }
+}
+
 const void* indexOffset(std::uint32_t first) { return reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); }
 
 }  // namespace
@@ -133,9 +143,17 @@ Status TreePass::setContent(const SceneContent& content) {
     if (firstLinks.empty() || content.meshes[m].vertices.empty() || content.meshes[m].indices.empty()) continue;
     if (const Status uploaded = upload(content.meshes[m], firstLinks, meshes[m]); !uploaded) return uploaded;
   }
+  bool needsAdaptive = false;
   for (const TreeDraw& tree : content.trees) {
-    meshes[static_cast<std::size_t>(tree.mesh)].detailed = tree.detail >= 0;
+    GpuMesh& mesh = meshes[static_cast<std::size_t>(tree.mesh)];
+    if (mesh.detailed || tree.detail < 0 || tree.detail >= static_cast<int>(content.details.size())) continue;
+    mesh.detailed = true;
+    addRings(*content.details[static_cast<std::size_t>(tree.detail)], mesh.bounds);
+    for (const Part& part : content.meshes[static_cast<std::size_t>(tree.mesh)].parts) {
+      needsAdaptive = needsAdaptive || (part.adaptive && part.indexCount == 0);
+    }
   }
+  needsAdaptive_ = needsAdaptive;
   meshes_ = std::move(meshes);
   trees_ = content.trees;
   return ok();
@@ -212,7 +230,6 @@ int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive) const {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
-      if (adaptive && mesh.detailed && part.adaptive) continue;
       if (adaptive && mesh.detailed && part.adaptive) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool tested = material.foliage && material.picture >= 0;

@@ -26,7 +26,9 @@ class TreePass {
   int draw(bool highQuality, bool adaptive = false) const;
   int drawShadow(const mat4& lightMatrix, bool adaptive = false) const;
   const std::vector<TreeDraw>& trees() const { return trees_; }
-  /// Of a mesh at rest.
+  /// Some tree's wood is there as an adaptive mesh alone.
+  bool needsAdaptive() const { return needsAdaptive_; }
+  /// Of a mesh at rest, with the adaptive one that stands for parts of it.
   const Bounds& bounds(int mesh) const { return meshes_[static_cast<std::size_t>(mesh)].bounds; }
 
  private:
@@ -44,6 +46,7 @@ class TreePass {
 
   std::vector<GpuMesh> meshes_;
   std::vector<TreeDraw> trees_;
+  bool needsAdaptive_ = false;
   Program wood_[2], foliage_[2], shadow_;  ///< [1]: high quality
 };
 

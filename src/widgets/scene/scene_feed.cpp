@@ -33,7 +33,7 @@ SceneFeed::SceneFeed(const WorkspaceContext& context, SimulationController& cont
 void SceneFeed::rebuild(bool restore) {
   restore_ = restore || (job_ && restore_);
   const std::optional<model::Project> project = source_();
-  if (project) looks_ = looksOf(*project);
+  if (project) looks_ = looksOf(*project), adaptive_ = project->scene.detail.adaptive;
   if (!project || project->scene.trees.empty()) {
     assembly_.reset();
     placements_.clear();
@@ -162,6 +162,11 @@ bool SceneFeed::follow(const model::Change& change) {
       }
       return true;
     case model::Aspect::Light:
+      if (project && project->scene.detail.adaptive != adaptive_) {
+        // What adaptive wood stands for is not uploaded beside it.
+        rebuild(true);
+        return true;
+      }
       if (project)
         controller_.setView(sunDirection(project->scene.light), static_cast<float>(project->scene.light.strength));
       return true;

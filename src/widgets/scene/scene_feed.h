@@ -80,7 +80,8 @@ class SceneFeed : public QObject {
   std::vector<TreeSpan> spans_;
   QPointer<model::Job> job_;
   bool restore_ = false;
-  Looks looks_;  ///< as assembled
+  Looks looks_;           ///< as assembled
+  bool adaptive_ = true;  ///< wood, as assembled
 };
 
 }  // namespace windfall::widgets

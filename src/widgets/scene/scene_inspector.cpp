@@ -217,7 +217,7 @@ void SceneInspector::addDetail() {
   using Detail = model::DetailSettings;
   const auto part = &model::Scene::detail;
   FieldGroup* group = addGroup("detail", tr("Detail"));
-  auto* wood = group->add(new ChoiceField(tr("Wood"), {tr("Adaptive"), tr("Full")}, 1));
+  auto* wood = group->add(new ChoiceField(tr("Wood"), {tr("Adaptive"), tr("Full")}, 0));
   keep("detail.adaptive", wood);
   wood->setToolTip(tr("Adaptive draws fine where the camera is near; full draws every tree's whole mesh"));
   connect(wood, &ChoiceField::edited, this, [this, part](int index) {

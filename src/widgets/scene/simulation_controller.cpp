@@ -320,12 +320,6 @@ void SimulationController::describe(render::View& view) const {
     view.streaks = last_.streaks;
     view.streakPoints = sim::WindStreaks::kPoints;
   }
-  // Only whole meshes know which link a piece of bark belongs to.
-  if (!linkColors_.empty()) view.adaptive = false;
-  if (streaks_) {
-    view.streaks = last_.streaks;
-    view.streakPoints = sim::WindStreaks::kPoints;
-  }
 }
 
 void SimulationController::release() {

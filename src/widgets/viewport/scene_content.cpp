@@ -50,12 +50,12 @@ vec4 twigsOf(const model::PlantGeometry& geometry, float scale) {
   return vec4(0);
 }
 
-render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
+/// Without `wood` the parts that an adaptive mesh stands for stay empty.
+render::Mesh makeMesh(const model::LoadedPlant& plant, float scale, bool wood) {
   const model::PlantGeometry& geometry = *plant.geometry;
   const std::vector<std::uint32_t> links = movingLinks(plant);
   render::Mesh mesh;
-  mesh.vertices.reserve(geometry.vertices.size());
-  for (const model::Vertex& from : geometry.vertices) {
+  const auto add = [&](const model::Vertex& from) {
     render::Vertex to{from.position * scale, from.normal, from.uv, {}, {}, from.repeats, {}};
     std::copy(from.tint.begin(), from.tint.end(), to.tint);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -63,12 +63,33 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale) {
       to.weights[k] = from.weights[k];
     }
     mesh.vertices.push_back(to);
+  };
+  std::vector<std::uint32_t> place;
+  if (wood) {
+    mesh.vertices.reserve(geometry.vertices.size());
+    for (const model::Vertex& vertex : geometry.vertices) add(vertex);
+    mesh.indices = geometry.indices;
+  } else {
+    place.assign(geometry.vertices.size(), ~0u);
   }
-  mesh.indices = geometry.indices;
   for (const model::MeshPart& part : geometry.parts) {
     // The first material of a skeleton's surface is its bark, a grower's second that of its twigs.
     const bool adaptive = followsSkeleton(geometry) && (part.material == 0 || isTwig(geometry, part.material));
-    if (!part.hidden) mesh.parts.push_back({part.firstIndex, part.indexCount, part.material, adaptive});
+    if (part.hidden) continue;
+    if (wood) {
+      mesh.parts.push_back({part.firstIndex, part.indexCount, part.material, adaptive});
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.indices.size());
+    for (std::uint32_t i = part.firstIndex; !adaptive && i < part.firstIndex + part.indexCount; ++i) {
+      std::uint32_t& to = place[geometry.indices[i]];
+      if (to == ~0u) {
+        to = static_cast<std::uint32_t>(mesh.vertices.size());
+        add(geometry.vertices[geometry.indices[i]]);
+      }
+      mesh.indices.push_back(to);
+    }
+    mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, part.material, adaptive});
   }
   for (const model::Material& from : geometry.materials) {
     render::Material to{from.baseColor, -1, from.roughness, from.leaf};
@@ -200,8 +221,9 @@ render::SceneContent makeContent(const model::SceneAssembly& assembly, const mod
     const auto [mesh, isNew] = meshes.try_emplace({placement->plant, scale}, static_cast<int>(content.meshes.size()));
     if (isNew) {
       const model::LoadedPlant& plant = assembly.plants.at(placement->plant);
-      content.meshes.push_back(makeMesh(plant, scale));
       content.details.push_back(makeDetail(plant, scale));
+      const bool wood = !scene.detail.adaptive || content.details.back()->entries.empty();
+      content.meshes.push_back(makeMesh(plant, scale, wood));
     }
     const auto links = static_cast<std::uint32_t>(assembly.sim.trees[i].tree->links.size());
     const int detail = content.details[static_cast<std::size_t>(mesh->second)]->entries.empty() ? -1 : mesh->second;

@@ -1,5 +1,8 @@
 // The adaptive mesh of real and made skeletons: every chain is drawn whole, once, at any tolerance.
+#include <omp.h>
+
 #include <QtTest>
+#include <cstring>
 
 #include "kernels/detail_select.h"
 #include "model/plant/detail_mesh.h"
@@ -28,6 +31,9 @@ class PlantDetail : public QObject {
   void coarserTolerancesDrawFewerRuns();
   void boundsHoldTheirRings();
   void scalingScalesTolerances();
+  void fiftyThousandSegmentsFitIntoSixteenMegabytes();
+  void threadsDoNotMatter();
+  void runsKeepTheSpeedOfTheirCurve();
   void sampleSkeletonsAreSound();
 };
 
@@ -94,6 +100,66 @@ void PlantDetail::scalingScalesTolerances() {
   QCOMPARE(two.chains[1].radius, 2 * one.chains[1].radius);
   QCOMPARE(detail::widening(two.widening, 2 * detailTolerance(6), 0.02f),
            detail::widening(one.widening, detailTolerance(6), 0.01f));
+}
+
+void PlantDetail::fiftyThousandSegmentsFitIntoSixteenMegabytes() {
+  const model::SkeletonGraph maple = test::boneTable("japanese_maple");
+  if (maple.segments.empty()) QSKIP("the bone table of the maple is not there");
+  const DetailMesh mesh = meshOf(maple);
+  const std::size_t bytes = mesh.rings.size() * sizeof(DetailRing) + mesh.entries.size() * sizeof(DetailEntry) +
+                            mesh.chains.size() * sizeof(DetailChain);
+  const double trees = 50'000.0 / static_cast<double>(maple.segments.size());
+  QVERIFY2(static_cast<double>(bytes) * trees < 16e6, qPrintable(QString::number(static_cast<double>(bytes) * trees)));
+}
+
+void PlantDetail::threadsDoNotMatter() {
+  model::SkeletonGraph graph = test::boneTable("japanese_maple");
+  if (graph.segments.empty()) graph = test::smallTree(80);
+  const int before = omp_get_max_threads();
+  std::vector<DetailMesh> meshes;
+  for (const int threads : {1, 2, 8}) {
+    omp_set_num_threads(threads);
+    meshes.push_back(meshOf(graph));
+  }
+  omp_set_num_threads(before);
+  const auto same = [](const auto& a, const auto& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+  };
+  for (const DetailMesh& mesh : meshes) {
+    QVERIFY(same(mesh.rings, meshes[0].rings));
+    QVERIFY(same(mesh.entries, meshes[0].entries));
+    QVERIFY(same(mesh.chains, meshes[0].chains));
+    QVERIFY(mesh.widening == meshes[0].widening);
+  }
+}
+
+void PlantDetail::runsKeepTheSpeedOfTheirCurve() {
+  // Between two joints the shader's cubic is the curve itself.
+  model::SkeletonGraph graph;
+  const vec3 joints[] = {{0, 0, 0}, {0.1f, 0.5f, 0}, {0.1f, 0.7f, 0.3f}, {0.5f, 1.2f, 0.2f}};
+  for (int i = 0; i < 3; ++i) graph.segments.push_back(test::segment(joints[i], joints[i + 1], 0.01f, i - 1));
+  finishGraph(graph);
+  const model::Chains chains = findChains(graph);
+  const auto curves = makeCurves(graph, chains, model::CurveKind::Hermite);
+  model::RingSettings bare;
+  bare.collars = false, bare.flare = 0;
+  const DetailMesh mesh = model::makeDetail(graph, chains, curves, makeRings(graph, chains, curves, bare));
+  int runs = 0;
+  for (const DetailEntry& entry : mesh.entries) {
+    if (entry.from > 0 || entry.ringB != entry.ringA + 1 || entry.ringB > 3) continue;
+    const DetailRing &a = mesh.rings[entry.ringA], &b = mesh.rings[entry.ringB];
+    const float chord = glm::distance(a.position, b.position);
+    const vec3 m0 = a.tangent * (chord * static_cast<float>((entry.shape >> 2) & 0x7fffu) / 8192),
+               m1 = b.tangent * (chord * static_cast<float>(entry.shape >> 17) / 8192);
+    for (const float t : {0.2f, 0.5f, 0.9f}) {
+      const float s = 1 - t;
+      const vec3 p =
+          a.position * ((1 + 2 * t) * s * s) + m0 * (t * s * s) + b.position * (t * t * (3 - 2 * t)) - m1 * (t * t * s);
+      QVERIFY(glm::distance(p, curves[0].spans[entry.ringA].point(t)) < 1e-4f * chord);
+    }
+    ++runs;
+  }
+  QCOMPARE(runs, 3);
 }
 
 void PlantDetail::sampleSkeletonsAreSound() {
