@@ -1,5 +1,3 @@
-#include <future>
-
 #include "model/export/kept_textures.h"
 #include "model/plant/grow/species_leaf.h"
 #include "model/progress_part.h"
@@ -10,18 +8,6 @@
 namespace windfall::model {
 
 namespace {
-
-/// Is cancelled with the whole, and says nothing.
-class Quiet : public Progress {
- public:
-  explicit Quiet(Progress& whole) : whole_(whole) {}
-  void report(double) override {}
-  bool cancelled() const override { return whole_.cancelled(); }
-  void cancel() override { whole_.cancel(); }
-
- private:
-  Progress& whole_;
-};
 
 /// A plain green leaf for trees that have none of their own.
 LeafTexture standIn() {
@@ -70,12 +56,10 @@ Result<std::vector<LeafTexture>> makeLayers(const Project& project, const LayerP
 }
 
 Result<SceneAssembly> assembleScene(const Project& project, Progress& progress, GeometryCache* shapes) {
-  // Neither needs the other.
-  Quiet quiet(progress);
-  auto pictures = std::async(std::launch::async, [&] { return makeLayers(project, planLayers(project), quiet); });
-  Result<SceneAssembly> assembly = assembleTrees(project, progress, shapes);
-  Result<std::vector<LeafTexture>> layers = pictures.get();
+  ProgressPart trees(progress, 0, 0.6), leaves(progress, 0.6, 1);
+  Result<SceneAssembly> assembly = assembleTrees(project, trees, shapes);
   if (!assembly) return assembly;
+  Result<std::vector<LeafTexture>> layers = makeLayers(project, planLayers(project), leaves);
   if (!layers) return layers.error();
   assembly->leafTextures = std::move(*layers);
   return assembly;
