@@ -157,7 +157,7 @@ VeinFrame exampleFrame(const LeafStages& example) {
   const QSize size = example.seen.distance.size;
   const size_t pixels = example.seen.distance.values.size();
   VeinFrame frame{std::vector<float>(pixels), std::vector<signed char>(pixels, 1), std::vector<float>(pixels),
-                  std::vector<float>(pixels), std::vector<float>(pixels), 1};
+                  std::vector<float>(pixels), std::vector<float>(pixels),          1};
   for (const JoinedLeaf& leaf : example.joined) {
     const QPointF corner = leaf.place.topLeft();
     const VeinFrame own = findVeinFrame(partOf(example.seen, leaf.place), leaf.root - corner, leaf.tip - corner);
