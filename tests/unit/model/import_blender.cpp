@@ -122,9 +122,12 @@ class ImportBlenderTest : public QObject {
     script.write(kScript);
     script.close();
     QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(blender, {"-b", "--factory-startup", "-P", script.fileName(), "--", folder.path()});
-    QVERIFY2(process.waitForFinished(180'000) && QFile::exists(folder.filePath("posed.fbx")),
-             process.readAllStandardError().constData());
+    QVERIFY(process.waitForFinished(180'000));
+    const QByteArray told = process.readAllStandardOutput();
+    if (told.contains("No module named")) QSKIP("this Blender lacks Python modules that its glTF exporter needs");
+    QVERIFY2(QFile::exists(folder.filePath("posed.fbx")), told.constData());
 
     const PlantGeometry fbx = read(folder.filePath("rig.fbx")), gltf = read(folder.filePath("rig.glb"));
     const PlantGeometry posed = read(folder.filePath("posed.fbx"));
