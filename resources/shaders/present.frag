@@ -1,6 +1,8 @@
 #include "frame.glsl"
 layout(location = 0) out vec4 color;
 layout(binding = 3) uniform sampler2DMS picture;
+layout(location = 0) uniform int side;           // px of the screen that a pixel of the picture spans
+layout(location = 1) uniform ivec4 quarters;     // where it spans two: the sample that lies in each quarter
 
 // AgX (Sobotka 2023) in the polynomial form of Wrensch: highlights lose colour as film does, hues stay.
 vec3 agx(vec3 value) {
@@ -22,18 +24,20 @@ vec3 graded(vec3 value) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 place = ivec2(gl_FragCoord.xy), pixel = place / side;
+  // A coarse picture's samples have edges twice as fine as its pixels.
+  int own = side == 2 ? quarters[(place.x & 1) + 2 * (place.y & 1)] : -1;
   // Samples are weighted by what they come to on the screen: a bright one does not eat its neighbours' edge.
   vec3 sum = vec3(0.0);
   float weights = 0.0;
   for (int i = 0; i < SAMPLES; ++i) {
     vec3 value = texelFetch(picture, pixel, i).rgb * toSun.w;
-    float weight = 1.0 / (1.0 + max(value.r, max(value.g, value.b)));
+    float weight = (own < 0 || i == own ? 1.0 : 0.25) / (1.0 + max(value.r, max(value.g, value.b)));
     sum += value * weight;
     weights += weight;
   }
   vec3 shown = graded(agx(sum / weights));
   // Triangular noise of one step against bands.
-  vec2 noise = vec2(texelFetch(noiseMap, pixel & 511, 0).a, texelFetch(noiseMap, (pixel + ivec2(173, 71)) & 511, 0).a);
+  vec2 noise = vec2(texelFetch(noiseMap, place & 511, 0).a, texelFetch(noiseMap, (place + ivec2(173, 71)) & 511, 0).a);
   color = vec4(clamp(shown + (noise.x - noise.y) / 255.0, 0.0, 1.0), 1.0);
 }

@@ -22,12 +22,21 @@ layout(binding = 3) uniform sampler2DArray pictures;
 layout(location = 14) flat in vec4 baseColor;
 layout(location = 15) flat in vec4 look;
 layout(location = 16) flat in vec3 twigColor;
+layout(location = 17) flat in vec4 meanColor;
 #define PICTURE(uv) pictures, vec3(uv, float(layer))
 #else
 layout(binding = 3) uniform sampler2D picture;
 layout(location = 0) uniform vec4 baseColor;
 layout(location = 1) uniform vec4 look;  // roughness, has a picture, 0, height of the bark's relief in m
 #define PICTURE(uv) picture, uv
+#endif
+// Known when it is compiled, since software rasterizers fetch texels on both sides of a branch.
+#if defined(PICTURED)
+const bool pictured = true;
+#elif defined(BARE)
+const bool pictured = false;
+#else
+bool pictured = look.y > 0.5;
 #endif
 
 // A picture that repeats 2^k times round the stem; between two k it fades, so that no seam shows where the stem's
@@ -41,7 +50,11 @@ vec4 barkPicture() {
   if (fade <= 0.0) return coarse;
   vec4 fine = textureGrad(PICTURE(textureUv * scale * 2.0), dx * scale * 2.0, dy * scale * 2.0);
   if (fade >= 1.0) return fine;
+#ifdef LAYERED
+  vec4 mean = meanColor;
+#else
   vec4 mean = textureLod(PICTURE(vec2(0.5)), 16.0);
+#endif
   vec4 both = mix(coarse, fine, fade);
   return max(mean + (both - mean) / sqrt(fade * fade + (1.0 - fade) * (1.0 - fade)), vec4(0.0));
 }
@@ -63,9 +76,12 @@ void main() {
   vec3 normal = normalize(worldNormal);
   vec3 view = normalize(eye.xyz - worldPosition);
 #ifdef FOLIAGE
-  vec4 texel = look.y > 0.5 ? texture(picture, textureUv) : vec4(1.0);
+  vec4 texel = pictured ? texture(picture, textureUv) : vec4(1.0);
+#elif defined(THIN)
+  // Narrower than two pixels: nothing of a picture can be seen but its mean.
+  vec4 texel = meanColor;
 #else
-  vec4 texel = look.y > 0.5 ? barkPicture() : vec4(1.0);
+  vec4 texel = pictured ? barkPicture() : vec4(1.0);
 #endif
   vec3 albedo = baseColor.rgb * texel.rgb / max(texel.a, 1e-3);
   float alpha = 1.0;
@@ -87,12 +103,16 @@ void main() {
   if (dataColor.a > 0.0) {
     albedo = mix(albedo, pow(max(dataColor.rgb, vec3(0.0)), vec3(2.2)) * (0.75 + 0.5 * grain), min(dataColor.a, 1.0));
   }
-  vec2 bark = look.y > 0.5 ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   vec3 smoothNormal = normal;
+#ifdef THIN
+  if (!pictured) albedo *= 0.65;
+#else
+  vec2 bark = pictured ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   // Nearer than the noise is fine, its texels would show as facets.
   float pixel = length(dFdx(worldPosition)) + length(dFdy(worldPosition));
   normal = bumped(normal, worldPosition, bark.x * look.w * smoothstep(0.0004, 0.004, pixel));
-  albedo *= look.y > 0.5 ? 1.0 : mix(0.28, 1.5, bark.x * bark.x) * mix(0.75, 1.2, bark.y);
+  if (!pictured) albedo *= mix(0.28, 1.5, bark.x * bark.x) * mix(0.75, 1.2, bark.y);
+#endif
   vec3 light = woodLight(albedo, around, worldPosition, normal, smoothNormal, view, look.x);
 #endif
   // Chosen links: the accent over the surface, brighter towards the silhouette.

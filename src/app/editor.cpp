@@ -17,6 +17,7 @@
 #include "widgets/main_window/project_files.h"
 #include "widgets/plant/plant_workspace.h"
 #include "widgets/scene/scene_workspace.h"
+#include "widgets/viewport/viewport.h"
 
 namespace windfall::app {
 
@@ -115,6 +116,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   if (!session) {
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, noSettings.path());
+    QSettings().setValue(widgets::Viewport::kCoarseSetting, false);
   }
   const bool light = QSettings().value(QStringLiteral("look/light"), false).toBool() ||
                      qEnvironmentVariable("WINDFALL_LOOK") == QStringLiteral("light");

@@ -43,6 +43,9 @@ void Job::cancel() { progress_->cancel(); }
 bool Job::isCancelled() const { return progress_->cancelled(); }
 
 struct JobRunner::State {
+  /// Jobs may wait for threads that they start. Qt's painter shares its work out to the global pool and waits for it,
+  /// so a job that held a place there while it waited for a painter would wait for itself.
+  QThreadPool pool;
   std::vector<Job*> jobs;
   Latch working;
 };
@@ -76,7 +79,7 @@ Job* JobRunner::launch(const QString& title, const QString& slot,
   });
   state_->jobs.push_back(job);
   state_->working.enter();
-  QThreadPool::globalInstance()->start([this, job, title, progress = job->progress_, work = std::move(work)]() mutable {
+  state_->pool.start([this, job, title, progress = job->progress_, work = std::move(work)]() mutable {
     std::function<void()> deliver;
     if (!progress->cancelled()) {
       try {

@@ -34,7 +34,7 @@ class Job : public QObject {
   std::atomic<double> fraction_{0};
 };
 
-/// Starts jobs on the global thread pool. A job with the same `slot` as a running one makes that one stale: it is
+/// Starts jobs on a thread pool of its own. A job with the same `slot` as a running one makes that one stale: it is
 /// cancelled and its result dropped.
 class JobRunner : public QObject {
   Q_OBJECT

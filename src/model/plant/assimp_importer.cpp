@@ -38,7 +38,7 @@ Result<PlantGeometry> convert(const aiScene& scene, const QString& format, Progr
 
 }  // namespace
 
-Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const SurfaceSettings& surface,
+Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
                                            Progress& progress) const {
   PlantGeometry geometry;
   const Status status = assimp::withScene(file, progress, [&](const aiScene& scene) -> Status {
@@ -48,7 +48,7 @@ Result<PlantGeometry> AssimpImporter::read(const SourceFile& file, const Surface
     return ok();
   });
   if (!status) return status.error();
-  return withSurface(std::move(geometry), surface, progress);
+  return withSurface(std::move(geometry), surface, progress, wood);
 }
 
 }  // namespace windfall::model

@@ -9,7 +9,8 @@ class AssimpImporter : public PlantImporter {
  public:
   QString name() const override { return QStringLiteral("FBX and glTF"); }
   QStringList extensions() const override { return {"fbx", "glb", "gltf"}; }
-  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, Progress& progress) const override;
+  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
+                             Progress& progress) const override;
 };
 
 }  // namespace windfall::model

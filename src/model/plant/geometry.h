@@ -46,6 +46,7 @@ struct Material {
   QImage normalMap;                     ///< tangent space, y up the picture; null: none
   float roughness = 0.8f;
   bool leaf = false;  ///< foliage: name, alpha or small components say so
+  float thinner = 0;  ///< m, of twigs: the radius below which stems have this material; 0: no twigs
   bool doubleSided = false;
 };
 
@@ -57,6 +58,10 @@ struct MeshPart {
 };
 
 struct PlantSkeleton;
+
+/// Whether stems that follow a skeleton have triangles. An adaptive mesh is made of the skeleton's rings, and needs
+/// none.
+enum class WoodMesh { Whole, Left };
 
 struct PlantGeometry {
   QString format;  ///< "fbx", "glb", "gltf", "grown"
@@ -72,6 +77,8 @@ struct PlantGeometry {
   std::vector<sim::LeafSite> leafSites;
   std::vector<Clip> clips;  ///< motions that the file holds
   QStringList notes;        ///< what was wrong with the file and how it was mended, a line each
+  /// Left: parts made from the skeleton are there, without triangles.
+  WoodMesh wood = WoodMesh::Whole;
   /// Curves and rings of its stems (skeleton_geometry.h); null where nobody made them.
   std::shared_ptr<const PlantSkeleton> skeleton;
 };

@@ -22,18 +22,21 @@ Plant shapeOf(const Plant& plant) {
 
 }  // namespace
 
-std::shared_ptr<const PlantGeometry> GeometryCache::find(const Plant& shape) {
+std::shared_ptr<const PlantGeometry> GeometryCache::find(const Plant& shape, WoodMesh wood) {
   const std::lock_guard lock(mutex_);
-  const auto found = std::ranges::find(entries_, shape, &Entry::shape);
+  const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) {
+    return (entry.geometry->wood == WoodMesh::Whole || wood == WoodMesh::Left) && entry.shape == shape;
+  });
   if (found == entries_.end()) return nullptr;
   entries_.splice(entries_.begin(), entries_, found);
   return found->geometry;
 }
 
-Result<std::shared_ptr<const PlantGeometry>> GeometryCache::load(const Plant& plant, Progress& progress) {
+Result<std::shared_ptr<const PlantGeometry>> GeometryCache::load(const Plant& plant, Progress& progress,
+                                                                 WoodMesh wood) {
   Plant shape = shapeOf(plant);
-  if (auto kept = find(shape)) return kept;
-  Result<PlantGeometry> made = loadGeometry(plant, progress);
+  if (auto kept = find(shape, wood)) return kept;
+  Result<PlantGeometry> made = loadGeometry(plant, progress, wood);
   if (!made) return made.error();
   auto geometry = std::make_shared<const PlantGeometry>(std::move(*made));
   const std::lock_guard lock(mutex_);

@@ -18,15 +18,16 @@ class GeometryCache {
  public:
   explicit GeometryCache(std::size_t limit = 16) : limit_(limit) {}
 
-  /// The kept shape, or `loadGeometry`'s. An error is not kept.
-  Result<std::shared_ptr<const PlantGeometry>> load(const Plant& plant, Progress& progress);
+  /// The kept shape, or `loadGeometry`'s. One with all its wood serves where none is needed. An error is not kept.
+  Result<std::shared_ptr<const PlantGeometry>> load(const Plant& plant, Progress& progress,
+                                                    WoodMesh wood = WoodMesh::Whole);
 
  private:
   struct Entry {
     Plant shape;
     std::shared_ptr<const PlantGeometry> geometry;
   };
-  std::shared_ptr<const PlantGeometry> find(const Plant& shape);
+  std::shared_ptr<const PlantGeometry> find(const Plant& shape, WoodMesh wood);
 
   std::size_t limit_;
   std::mutex mutex_;

@@ -44,7 +44,7 @@ Status check(const GrowerSettings& s) {
 
 }  // namespace
 
-Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress) {
+Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress, WoodMesh woodMesh) {
   if (const Status status = check(settings); !status) return status.error();
   std::vector<grower::Axis> axes = grower::growAxes(settings);
   grower::setRadii(axes, static_cast<float>(settings.baseRadius));
@@ -56,6 +56,7 @@ Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress) {
   addBones(axes, geometry);
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
+  geometry.wood = woodMesh;
   grower::buildBark(axes, geometry);
   const auto wood = static_cast<std::uint32_t>(geometry.indices.size());
   grower::placeLeaves(axes, naturalLeafArea(geometry.bones, findBranches(geometry.bones)), settings.seed, geometry);

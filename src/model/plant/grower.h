@@ -10,6 +10,6 @@ namespace windfall::model {
 
 /// A tree of `settings.height` with tapered, gently curved axes at the golden angle, bound to its skeleton, with bark
 /// and leaf sites. The same settings give the same bits. An error for settings that make no tree.
-Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress);
+Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress, WoodMesh wood = WoodMesh::Whole);
 
 }  // namespace windfall::model

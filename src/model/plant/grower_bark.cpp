@@ -45,7 +45,7 @@ void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const Sur
   SurfaceSettings own = surface;
   own.tile = static_cast<double>(mesh.tile);
   const std::shared_ptr<const PlantSkeleton> skeleton = makeSkeleton(graphOf(axes), own, rings);
-  addSurface(*skeleton, mesh, geometry);
+  if (geometry.wood == WoodMesh::Whole) addSurface(*skeleton, mesh, geometry);
   continueBones(*skeleton, geometry.bones);
   geometry.skeleton = skeleton;
 }

@@ -35,7 +35,7 @@ vec3 curvePoint(const Axis& axis, std::size_t link, float share);
 vec3 curveTangent(const Axis& axis, std::size_t link, float share);
 
 /// The surface of the axes (skeleton_geometry.h), bound to bones that stand already; its scale must be 1. Stems thinner
-/// than `barkFrom` (m) are drawn without a picture.
+/// than `barkFrom` (m) are drawn without a picture. No triangles where `geometry.wood` says so.
 void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface = {},
                float barkFrom = 0);
 

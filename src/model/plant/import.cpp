@@ -34,13 +34,13 @@ QStringList plantFilePatterns() {
 namespace {
 
 /// A skeleton that was shaped by hand after it was read.
-Result<PlantGeometry> shapedSkeleton(const Plant& plant, const QString& format, Progress& progress) {
+Result<PlantGeometry> shapedSkeleton(const Plant& plant, const QString& format, WoodMesh wood, Progress& progress) {
   const Result<SkeletonGraph> graph = readSkeleton(plant.file, progress);
   if (!graph) return graph.error();
   std::vector<int> lost;
   const SkeletonGraph shaped = growth::withEdits(*graph, plant.handEdits, &lost);
   if (shaped.segments.empty()) return Error{"nothing is left of it after the edits by hand"};
-  Result<PlantGeometry> geometry = geometryOf(shaped, plant.surface, format, progress);
+  Result<PlantGeometry> geometry = geometryOf(shaped, plant.surface, format, progress, wood);
   if (!geometry) return geometry;
   for (const int index : lost) geometry->notes << QObject::tr("edit %1 found no branch to work on").arg(index + 1);
   return geometry;
@@ -53,15 +53,15 @@ bool canBeShaped(const Plant& plant) {
   return isSkeletonFile(plant.file.name);
 }
 
-Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress) {
+Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress, WoodMesh wood) {
   if (plant.file.isEmpty() && plant.grower) {
     const bool byRule = plant.grower->method == GrowMethod::Rule;
-    return byRule ? grow(*plant.grower, progress) : growth::growPlant(plant, progress);
+    return byRule ? grow(*plant.grower, progress, wood) : growth::growPlant(plant, progress, wood);
   }
   const QString extension = QFileInfo(plant.file.name).suffix().toLower();
-  if (!plant.handEdits.empty() && canBeShaped(plant)) return shapedSkeleton(plant, extension, progress);
+  if (!plant.handEdits.empty() && canBeShaped(plant)) return shapedSkeleton(plant, extension, wood, progress);
   for (const auto& importer : plantImporters()) {
-    if (importer->extensions().contains(extension)) return importer->read(plant.file, plant.surface, progress);
+    if (importer->extensions().contains(extension)) return importer->read(plant.file, plant.surface, wood, progress);
   }
   return Error{"is no plant file that Windfall reads (" + plantFilePatterns().join(' ').toStdString() + ")"};
 }

@@ -19,8 +19,8 @@ class PlantImporter {
   virtual QString name() const = 0;
   /// Lower case, without the dot.
   virtual QStringList extensions() const = 0;
-  /// `surface` matters to formats that hold a skeleton alone.
-  virtual Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface,
+  /// `surface` and `wood` matter to formats that hold a skeleton alone, and where its surface is made anew.
+  virtual Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
                                      Progress& progress) const = 0;
 };
 
@@ -32,6 +32,6 @@ QStringList plantFilePatterns();
 bool canBeShaped(const Plant& plant);
 
 /// Reads the plant's file, or grows it, with what was shaped by hand.
-Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress);
+Result<PlantGeometry> loadGeometry(const Plant& plant, Progress& progress, WoodMesh wood = WoodMesh::Whole);
 
 }  // namespace windfall::model

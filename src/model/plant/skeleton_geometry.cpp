@@ -133,10 +133,11 @@ void addSurface(const PlantSkeleton& skeleton, const MeshSettings& settings, Pla
 }
 
 Result<PlantGeometry> geometryOf(const SkeletonGraph& graph, const SurfaceSettings& settings, const QString& format,
-                                 Progress& progress) {
+                                 Progress& progress, WoodMesh wood) {
   if (graph.segments.empty()) return Error{"holds no stems"};
   PlantGeometry geometry;
   geometry.format = format;
+  geometry.wood = wood;
   geometry.nodes = static_cast<int>(graph.segments.size() + graph.leaves.size() + graph.buds.size());
   geometry.maxInfluences = 2;
   SkeletonGraph own = graph;
@@ -145,7 +146,7 @@ Result<PlantGeometry> geometryOf(const SkeletonGraph& graph, const SurfaceSettin
   progress.report(0.4);
   if (progress.cancelled()) return Error{"cancelled", true};
   addBones(*skeleton, geometry);
-  addSurface(*skeleton, meshSettings(settings), geometry);
+  if (wood == WoodMesh::Whole) addSurface(*skeleton, meshSettings(settings), geometry);
   geometry.materials.push_back(barkMaterial(settings.bark));
   geometry.parts.push_back({0, static_cast<std::uint32_t>(geometry.indices.size()), 0, false});
   progress.report(0.8);
@@ -186,7 +187,8 @@ void enlarge(PlantGeometry& geometry, float k) {
 
 }  // namespace
 
-Result<PlantGeometry> withSurface(PlantGeometry geometry, const SurfaceSettings& settings, Progress& progress) {
+Result<PlantGeometry> withSurface(PlantGeometry geometry, const SurfaceSettings& settings, Progress& progress,
+                                  WoodMesh wood) {
   SurfaceSettings unscaled = settings;
   unscaled.scale = 1;
   if (settings.scale != 1) enlarge(geometry, static_cast<float>(settings.scale));
@@ -203,7 +205,8 @@ Result<PlantGeometry> withSurface(PlantGeometry geometry, const SurfaceSettings&
   geometry.indices.clear();
   geometry.parts.clear();
   geometry.materials = {barkMaterial(settings.bark)};
-  addSurface(*skeleton, meshSettings(settings), geometry);
+  geometry.wood = wood;
+  if (wood == WoodMesh::Whole) addSurface(*skeleton, meshSettings(settings), geometry);
   geometry.parts.push_back({0, static_cast<std::uint32_t>(geometry.indices.size()), 0, false});
   progress.report(1);
   return geometry;

@@ -44,12 +44,13 @@ void addSurface(const PlantSkeleton& skeleton, const MeshSettings& settings, Pla
 
 /// Bones, surface, buds, obstacles, leaf sites and materials of a graph. Errors: nothing to show, cancelled.
 Result<PlantGeometry> geometryOf(const SkeletonGraph& graph, const SurfaceSettings& settings, const QString& format,
-                                 Progress& progress);
+                                 Progress& progress, WoodMesh wood = WoodMesh::Whole);
 
 /// The skeleton of an imported mesh: its weighted bones as stems.
 SkeletonGraph graphOf(const PlantGeometry& geometry);
 
 /// Applies a plant's settings to an imported mesh: scale, chains, and a new surface where that is wanted.
-Result<PlantGeometry> withSurface(PlantGeometry geometry, const SurfaceSettings& settings, Progress& progress);
+Result<PlantGeometry> withSurface(PlantGeometry geometry, const SurfaceSettings& settings, Progress& progress,
+                                  WoodMesh wood = WoodMesh::Whole);
 
 }  // namespace windfall::model

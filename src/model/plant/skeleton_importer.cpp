@@ -8,20 +8,20 @@
 
 namespace windfall::model {
 
-Result<PlantGeometry> PrimImporter::read(const SourceFile& file, const SurfaceSettings& surface,
+Result<PlantGeometry> PrimImporter::read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
                                          Progress& progress) const {
   const Result<PrimFile> read = readPrim(file.bytes);
   if (!read) return read.error();
   progress.report(0.3);
-  return geometryOf(read->graph, surface, QStringLiteral("prim"), progress);
+  return geometryOf(read->graph, surface, QStringLiteral("prim"), progress, wood);
 }
 
-Result<PlantGeometry> JsonSkeletonImporter::read(const SourceFile& file, const SurfaceSettings& surface,
+Result<PlantGeometry> JsonSkeletonImporter::read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
                                                  Progress& progress) const {
   const Result<JsonSkeleton> read = readJsonSkeleton(file.bytes);
   if (!read) return read.error();
   progress.report(0.3);
-  return geometryOf(read->graph, surface, QStringLiteral("json"), progress);
+  return geometryOf(read->graph, surface, QStringLiteral("json"), progress, wood);
 }
 
 bool isSkeletonFile(const QString& name) {

@@ -10,14 +10,16 @@ class PrimImporter : public PlantImporter {
  public:
   QString name() const override { return QStringLiteral("AgroEcoSim"); }
   QStringList extensions() const override { return {QStringLiteral("prim")}; }
-  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, Progress& progress) const override;
+  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
+                             Progress& progress) const override;
 };
 
 class JsonSkeletonImporter : public PlantImporter {
  public:
   QString name() const override { return QStringLiteral("Skeleton (JSON)"); }
   QStringList extensions() const override { return {QStringLiteral("json")}; }
-  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, Progress& progress) const override;
+  Result<PlantGeometry> read(const SourceFile& file, const SurfaceSettings& surface, WoodMesh wood,
+                             Progress& progress) const override;
 };
 
 /// A file that holds a skeleton alone, by its name.

@@ -41,12 +41,13 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, 
   std::set<AssetId> placed;
   for (const TreePlacement& tree : project.scene.trees) placed.insert(tree.plant);
 
+  const WoodMesh wood = project.scene.detail.adaptive ? WoodMesh::Left : WoodMesh::Whole;
   double done = 0;
   for (const Plant& plant : project.plants) {
     if (!placed.contains(plant.id)) continue;
     const auto all = static_cast<double>(placed.size());
     ProgressPart part(progress, done / all, (done + 1) / all);
-    Result<std::shared_ptr<const PlantGeometry>> geometry = shapes->load(plant, part);
+    Result<std::shared_ptr<const PlantGeometry>> geometry = shapes->load(plant, part, wood);
     if (!geometry) return about(plant, geometry.error());
     if (progress.cancelled()) return Error{"cancelled", true};
     const LayerRange range = plan.ofPlant.at(plant.id);

@@ -1,3 +1,5 @@
+#include <future>
+
 #include "model/export/kept_textures.h"
 #include "model/plant/grow/species_leaf.h"
 #include "model/progress_part.h"
@@ -56,12 +58,15 @@ Result<std::vector<LeafTexture>> makeLayers(const Project& project, const LayerP
 }
 
 Result<SceneAssembly> assembleScene(const Project& project, Progress& progress, GeometryCache* shapes) {
-  ProgressPart trees(progress, 0, 0.6), leaves(progress, 0.6, 1);
+  ProgressTogether together(progress);
+  ProgressTogether::Work trees(together, 0.6), leaves(together, 0.4);
+  auto layers = std::async(std::launch::async, [&] { return makeLayers(project, planLayers(project), leaves); });
   Result<SceneAssembly> assembly = assembleTrees(project, trees, shapes);
+  if (!assembly) leaves.cancel();
+  Result<std::vector<LeafTexture>> made = layers.get();
   if (!assembly) return assembly;
-  Result<std::vector<LeafTexture>> layers = makeLayers(project, planLayers(project), leaves);
-  if (!layers) return layers.error();
-  assembly->leafTextures = std::move(*layers);
+  if (!made) return made.error();
+  assembly->leafTextures = std::move(*made);
   return assembly;
 }
 

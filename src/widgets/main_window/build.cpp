@@ -27,6 +27,7 @@
 #include "widgets/main_window/message_bar.h"
 #include "widgets/main_window/project_files.h"
 #include "widgets/main_window/recent_files.h"
+#include "widgets/viewport/viewport.h"
 
 namespace windfall::widgets {
 
@@ -183,6 +184,15 @@ void MainWindow::buildMenus() {
   })->setToolTip(tr("Tab, while the canvas has the focus"));
   add(viewMenu_, tr("&Full Screen"), QStringLiteral("frame"), {QKeySequence(Qt::Key_F11)},
       [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  QAction* coarse = viewMenu_->addAction(tr("&Coarse While Moving"));
+  coarse->setObjectName(QStringLiteral("coarseWhileMoving"));
+  coarse->setCheckable(true);
+  coarse->setChecked(QSettings().value(Viewport::kCoarseSetting, true).toBool());
+  coarse->setToolTip(tr("Without a graphics card, 3-D views shade one pixel in four until nothing moves"));
+  connect(coarse, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(Viewport::kCoarseSetting, on);
+    for (Viewport* viewport : findChildren<Viewport*>()) viewport->setCoarseWhileMoving(on);
+  });
   viewMenu_->addSeparator();
   add(viewMenu_, tr("Da&rk"), {}, {}, [this] { setScheme(Scheme::Dark); });
   add(viewMenu_, tr("&Light"), QStringLiteral("sun"), {}, [this] { setScheme(Scheme::Light); });

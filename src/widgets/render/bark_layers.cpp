@@ -1,6 +1,7 @@
 #include "widgets/render/bark_layers.h"
 
 #include <algorithm>
+#include <glm/gtc/color_space.hpp>
 
 #include "widgets/render/mip_chain.h"
 
@@ -52,6 +53,7 @@ std::uint32_t BarkLayers::layerOf(int mesh) {
 
 Barks BarkLayers::upload() const {
   Barks out;
+  out.allPictured = !meshes_.empty();
   std::vector<vec4> looks;
   int levels = 1;
   while ((kSize >> levels) > 0) ++levels;
@@ -64,15 +66,21 @@ Barks BarkLayers::upload() const {
     looks.emplace_back(vec3(material.baseColor), material.tile);
     looks.emplace_back(material.roughness, picture != nullptr ? 1.0f : 0.0f, 0.0f, kBarkRelief);
     looks.push_back(material.twigs);
-    if (picture == nullptr) continue;
+    out.allPictured = out.allPictured && picture != nullptr;
+    if (picture == nullptr) {
+      looks.emplace_back(1);
+      continue;
+    }
     const std::vector<MipLevel> chain = mipChain(*picture, kSize, kSize, false);
     for (std::size_t level = 0; level < chain.size(); ++level) {
       glTextureSubImage3D(out.pictures.id(), static_cast<GLint>(level), 0, 0, static_cast<GLint>(i), chain[level].width,
                           chain[level].height, 1, GL_RGBA, GL_UNSIGNED_BYTE, chain[level].rgba.data());
     }
+    const std::vector<std::uint8_t>& mean = chain.back().rgba;
+    looks.push_back(glm::convertSRGBToLinear(vec4(mean[0], mean[1], mean[2], mean[3]) / 255.0f));
   }
   glTextureParameteri(out.pictures.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  if (looks.empty()) looks.resize(3, vec4(0));
+  if (looks.empty()) looks.resize(4, vec4(0));
   out.looks = makeBuffer(static_cast<GLsizeiptr>(looks.size() * sizeof(vec4)), looks.data(), 0);
   return out;
 }

@@ -9,10 +9,12 @@
 
 namespace windfall::render {
 
-/// On the GPU: colour, width of the tile, look and twigs of each layer (storage 3), and their pictures (texture 3).
+/// On the GPU: colour, width of the tile, look, twigs and mean of the picture of each layer (storage 3), and their
+/// pictures (texture 3).
 struct Barks {
   Buffer looks;
   Texture pictures;
+  bool allPictured = false;
   void bind() const;
 };
 

@@ -117,8 +117,12 @@ Status DetailPass::compile() {
     return ok();
   };
   for (const Status& status :
-       {take(wood_[0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED"})),
-        take(wood_[1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED"})),
+       {take(wood_[0][0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED"})),
+        take(wood_[1][0], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED"})),
+        take(wood_[0][1], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED", "PICTURED"})),
+        take(wood_[1][1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED", "PICTURED"})),
+        take(thin_[0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED", "THIN"})),
+        take(thin_[1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED", "THIN"})),
         take(shadow_, linkProgram("detail_shadow.vert", "detail_shadow.frag")),
         take(skin_, linkCompute("detail_skin.comp")), take(count_, linkCompute("detail_count.comp")),
         take(offset_, linkCompute("detail_offset.comp")), take(list_, linkCompute("detail_list.comp"))}) {
@@ -291,35 +295,46 @@ void DetailPass::chooseOnGpu(Lists& lists, const DetailCamera& camera) {
   glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
 }
 
-int DetailPass::drawLists(Lists& lists) {
+void DetailPass::drawGrids(const Lists& lists, std::size_t first, std::size_t last) const {
   const auto offset = static_cast<GLintptr>(slotOffset(lists));
   glBindVertexArray(array_.id());
   glVertexArrayVertexBuffer(array_.id(), 1, lists.memory.id(), offset + static_cast<GLintptr>(runOffset_),
                             sizeof(DetailRun));
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 6, lists.memory.id(), offset, static_cast<GLsizeiptr>(runOffset_));
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, lists.memory.id());
-  const std::size_t commands = slotOffset(lists) + commandOffset_;
+  const std::size_t commands = slotOffset(lists) + commandOffset_ + first * sizeof(GridCommand);
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(commands),
-                              static_cast<GLsizei>(kDetailGrids), 0);
+                              static_cast<GLsizei>(last - first), 0);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void DetailPass::fence(Lists& lists) {
   GLsync& fence = lists.fences[static_cast<std::size_t>(lists.slot)];
   if (fence != nullptr) glDeleteSync(fence);
   fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  return 1;
 }
 
 int DetailPass::draw(bool highQuality) {
   if (trees_.empty()) return 0;
-  glUseProgram(wood_[highQuality ? 1 : 0].id());
+  Lists& chosen = lists(Target::Picture);
   barks_.bind();
-  return drawLists(lists(Target::Picture));
+  // The grids of three sides come first; nobody sees a picture on them.
+  glUseProgram(thin_[highQuality ? 1 : 0].id());
+  drawGrids(chosen, 0, kDetailAxial);
+  glUseProgram(wood_[highQuality ? 1 : 0][barks_.allPictured ? 1 : 0].id());
+  drawGrids(chosen, kDetailAxial, kDetailGrids);
+  fence(chosen);
+  return 2;
 }
 
 int DetailPass::drawShadow(const mat4& lightMatrix) {
   if (trees_.empty()) return 0;
   glUseProgram(shadow_.id());
   glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
-  return drawLists(lists(Target::Shadow));
+  Lists& chosen = lists(Target::Shadow);
+  drawGrids(chosen, 0, kDetailGrids);
+  fence(chosen);
+  return 1;
 }
 
 std::array<GridCommand, kDetailGrids> DetailPass::commands(const Lists& lists) const {

@@ -71,7 +71,9 @@ class DetailPass {
   Status allocate();
   void chooseOnGpu(Lists& lists, const DetailCamera& camera);
   void chooseOnCpu(Lists& lists, const DetailCamera& camera, std::span<const mat4> bones);
-  int drawLists(Lists& lists);
+  /// Draws the grids `first` to `last`; `fence` remembers when it was done.
+  void drawGrids(const Lists& lists, std::size_t first, std::size_t last) const;
+  static void fence(Lists& lists);
   Lists& lists(Target target) { return lists_[target == Target::Picture ? 0 : 1]; }
   const Lists& lists(Target target) const { return lists_[target == Target::Picture ? 0 : 1]; }
   std::size_t slotOffset(const Lists& lists) const { return slotBytes_ * static_cast<std::size_t>(lists.slot); }
@@ -85,7 +87,9 @@ class DetailPass {
   Buffer gridVertices_, gridIndices_, template_, rings_, entries_, chains_, treeTable_, keys_, cursors_;
   Barks barks_;
   VertexArray array_;
-  Program wood_[2], shadow_, skin_, count_, offset_, list_;
+  Program wood_[2][2];  ///< [high quality][every bark has a picture]
+  Program thin_[2];     ///< of stems narrower than two pixels
+  Program shadow_, skin_, count_, offset_, list_;
   std::size_t ringCount_ = 0, entryCount_ = 0, largestRings_ = 0, largestEntries_ = 0;
   std::size_t runOffset_ = 0, commandOffset_ = 0, slotBytes_ = 0;
 };

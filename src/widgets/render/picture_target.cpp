@@ -1,5 +1,6 @@
 #include "widgets/render/picture_target.h"
 
+#include <cmath>
 #include <string>
 
 namespace windfall::render {
@@ -31,6 +32,22 @@ Status PictureTarget::resize(int width, int height) {
   width_ = width;
   height_ = height;
   return ok();
+}
+
+std::array<GLint, 4> PictureTarget::samplesByQuarter() const {
+  std::array<GLint, 4> nearest{};
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const float x = (quarter & 1) != 0 ? 0.75f : 0.25f, y = (quarter & 2) != 0 ? 0.75f : 0.25f;
+    float least = 2;
+    for (GLint sample = 0; sample < kSamples; ++sample) {
+      GLfloat at[2];
+      glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(sample), at);
+      const float distance = std::hypot(at[0] - x, at[1] - y);
+      if (distance < least) least = distance, nearest[static_cast<std::size_t>(quarter)] = sample;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace windfall::render

@@ -1,6 +1,8 @@
 // The multisampled high dynamic range target that a frame is drawn into before it is developed.
 #pragma once
 
+#include <array>
+
 #include "sim/result.h"
 #include "widgets/render/gl_object.h"
 
@@ -12,6 +14,8 @@ class PictureTarget {
   Status resize(int width, int height);
   GLuint framebuffer() const { return framebuffer_.id(); }
   GLuint color() const { return color_.id(); }
+  /// Which sample lies in each quarter of a pixel: left and right below, left and right above.
+  std::array<GLint, 4> samplesByQuarter() const;
   static constexpr int kSamples = 4;
 
  private:

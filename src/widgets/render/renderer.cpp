@@ -1,6 +1,7 @@
 #include "widgets/render/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -37,7 +38,7 @@ struct Renderer::Impl {
   DetailPass detail;
   LeafPass leaves;
   StreakPass streaks;
-  PictureTarget target;
+  PictureTarget fine, coarse;
   ShadowMap shadow;
   SceneExtent extent;
   Program sky, ground[2], grass, present;
@@ -48,6 +49,7 @@ struct Renderer::Impl {
   vec3 skySun{0};
   std::vector<std::uint32_t> highlighted, highlightBits, shownColors;
   bool software = false;
+  std::array<GLint, 4> quarters{};
   double drawTime = 0;
   DrawCounts counts;
 
@@ -61,6 +63,7 @@ struct Renderer::Impl {
   void drawShadows(const View& view, const ShadowFit& fit);
   void drawPicture(const View& view);
   void drawPresent(const View& view, unsigned framebuffer);
+  PictureTarget& target(bool isCoarse) { return isCoarse ? coarse : fine; }
   int shadowSize(Quality quality) const;
   bool drawsGrass(Quality quality) const {
     return quality == Quality::High || (quality == Quality::Standard && !software);
@@ -169,10 +172,11 @@ void Renderer::Impl::drawShadows(const View& view, const ShadowFit& fit) {
 
 void Renderer::Impl::drawPicture(const View& view) {
   const bool high = view.quality == Quality::High;
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  const GLuint framebuffer = target(view.coarse).framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, view.width, view.height);
   const float farthest = 0;
-  glClearNamedFramebufferfv(target.framebuffer(), GL_DEPTH, 0, &farthest);
+  glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
   glDepthFunc(GL_GEQUAL);
   glBindTextureUnit(0, noise.id());
   glBindTextureUnit(1, skyTable.id());
@@ -203,8 +207,10 @@ void Renderer::Impl::drawPresent(const View& view, unsigned framebuffer) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, view.width, view.height);
   glDisable(GL_DEPTH_TEST);
-  glBindTextureUnit(3, target.color());
+  glBindTextureUnit(3, target(view.coarse).color());
   glUseProgram(present.id());
+  glUniform1i(0, view.coarse ? 2 : 1);
+  glUniform4iv(1, 1, quarters.data());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   ++counts.calls;
 }
@@ -216,7 +222,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create() {
   if (const Status version = checkVersion(); !version) return version.error();
   std::unique_ptr<Renderer> made(new Renderer);
   Impl& impl = *made->impl_;
-  impl.software = isSoftware();
+  impl.software = render::isSoftware();
   if (const Status compiled = impl.compile(); !compiled) return compiled.error();
   clearErrors();
   impl.noise = makeNoiseTexture();
@@ -262,13 +268,15 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   const auto begin = std::chrono::steady_clock::now();
   Impl& impl = *impl_;
   impl.counts = {0, 0, impl.ring.newest()};
-  if (const Status sized = impl.target.resize(view.width, view.height); !sized) return sized;
+  View lit = view;
+  if (view.coarse) lit.width = (view.width + 1) / 2, lit.height = (view.height + 1) / 2;
+  if (const Status sized = impl.target(view.coarse).resize(lit.width, lit.height); !sized) return sized;
+  if (view.coarse) impl.quarters = impl.coarse.samplesByQuarter();
   if (const Status sized = impl.shadow.resize(impl.shadowSize(view.quality)); !sized) return sized;
   impl.updateSky(view);
   impl.updateHighlights(view);
   impl.updateLinkColors(view);
   const ShadowFit fit = fitShadow(impl.extent.center(), impl.extent.radius(), impl.skySun, impl.shadow.size());
-  View lit = view;
   lit.adaptive = view.adaptive || impl.trees.needsAdaptive();
   lit.toSun = impl.skySun;
   FrameUniforms uniforms = frameUniforms(lit, impl.skyLight, fit);
@@ -293,9 +301,9 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
     const bool high = view.quality == Quality::High;
     impl.leaves.sort(
         impl.ring.leaves(), impl.ring.leafOffset(slot),
-        {uniforms.viewProjection, view.eye, static_cast<float>(view.height) / radians, high ? kThinKept : kThinLive,
+        {uniforms.viewProjection, view.eye, static_cast<float>(lit.height) / radians, high ? kThinKept : kThinLive,
          high            ? kNoBudget
-         : impl.software ? kSoftwareLeaves
+         : impl.software ? (view.coarse ? 0.5f : 1.f) * kSoftwareLeaves
                          : kLeaves},
         view.season);
   }
@@ -314,6 +322,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
 }
 
 std::string Renderer::name() const { return deviceName(); }
+bool Renderer::isSoftware() const { return impl_->software; }
 double Renderer::lastDrawTime() const { return impl_->drawTime; }
 DrawCounts Renderer::lastDraw() const { return impl_->counts; }
 

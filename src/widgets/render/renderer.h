@@ -51,6 +51,8 @@ class Renderer {
   Status draw(const View& view, unsigned framebuffer);
   /// "llvmpipe (LLVM 15.0.6, 256 bits)".
   std::string name() const;
+  /// Whether a processor draws instead of a graphics card.
+  bool isSoftware() const;
   /// Milliseconds of the last draw on the CPU side.
   double lastDrawTime() const;
   DrawCounts lastDraw() const;

@@ -123,8 +123,10 @@ Status TreePass::compile() {
     return ok();
   };
   for (const Status& status :
-       {link(wood_[0], "tree", {}), link(wood_[1], "tree", {"HIGH_QUALITY"}), link(foliage_[0], "tree", {"FOLIAGE"}),
-        link(foliage_[1], "tree", {"FOLIAGE", "HIGH_QUALITY"}), link(shadow_, "tree_shadow", {})}) {
+       {link(wood_[0][0], "tree", {"BARE"}), link(wood_[1][0], "tree", {"HIGH_QUALITY", "BARE"}),
+        link(wood_[0][1], "tree", {"PICTURED"}), link(wood_[1][1], "tree", {"HIGH_QUALITY", "PICTURED"}),
+        link(foliage_[0], "tree", {"FOLIAGE"}), link(foliage_[1], "tree", {"FOLIAGE", "HIGH_QUALITY"}),
+        link(shadow_, "tree_shadow", {})}) {
     if (!status) return status;
   }
   return ok();
@@ -182,6 +184,15 @@ Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firs
   glVertexArrayBindingDivisor(array, 1, 1);
 
   for (std::size_t p = 0; p < mesh.pictures.size(); ++p) {
+    const bool used = std::any_of(mesh.parts.begin(), mesh.parts.end(), [&](const Part& part) {
+      return part.indexCount > 0 &&
+             mesh.materials[static_cast<std::size_t>(part.material)].picture == static_cast<int>(p);
+    });
+    // An adaptive mesh has its own copy.
+    if (!used) {
+      out.pictures.emplace_back();
+      continue;
+    }
     const bool cutOut = std::any_of(mesh.materials.begin(), mesh.materials.end(), [&](const Material& material) {
       return material.foliage && material.picture == static_cast<int>(p);
     });
@@ -201,10 +212,11 @@ int TreePass::draw(bool highQuality, bool adaptive) const {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
-      if (adaptive && mesh.detailed && part.adaptive) continue;
+      if (part.indexCount == 0 || (adaptive && mesh.detailed && part.adaptive)) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool pictured = material.picture >= 0;
-      glUseProgram((material.foliage ? foliage_ : wood_)[highQuality ? 1 : 0].id());
+      const std::size_t quality = highQuality ? 1 : 0;
+      glUseProgram((material.foliage ? foliage_[quality] : wood_[quality][pictured ? 1 : 0]).id());
       if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
       glUniform4fv(0, 1, glm::value_ptr(material.baseColor));
       glUniform4f(1, material.roughness, pictured ? 1.f : 0.f, 0.f, kBarkRelief);
@@ -230,7 +242,7 @@ int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive) const {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
     for (const Part& part : mesh.parts) {
-      if (adaptive && mesh.detailed && part.adaptive) continue;
+      if (part.indexCount == 0 || (adaptive && mesh.detailed && part.adaptive)) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool tested = material.foliage && material.picture >= 0;
       if (tested) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());

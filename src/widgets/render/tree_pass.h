@@ -47,7 +47,8 @@ class TreePass {
   std::vector<GpuMesh> meshes_;
   std::vector<TreeDraw> trees_;
   bool needsAdaptive_ = false;
-  Program wood_[2], foliage_[2], shadow_;  ///< [1]: high quality
+  Program wood_[2][2];           ///< [high quality][with a picture]
+  Program foliage_[2], shadow_;  ///< [1]: high quality
 };
 
 }  // namespace windfall::render

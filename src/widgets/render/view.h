@@ -27,6 +27,8 @@ struct View {
   /// Of each link instead of its bark, 0xAABBGGRR in sRGB, alpha 0: bark; the bone buffer's order. Empty: bark for all.
   std::vector<std::uint32_t> linkColors;
   Quality quality = Quality::Standard;
+  /// Shades one pixel in four; edges keep the picture's own resolution. For what must be seen soon, or moves.
+  bool coarse = false;
   bool adaptive = true;    ///< trees that have an adaptive mesh are drawn with it, else with their whole mesh
   float tolerance = 0.5f;  ///< px that an adaptive mesh may be off; High halves it
 };

@@ -34,20 +34,18 @@ bool followsSkeleton(const model::PlantGeometry& geometry) {
 }
 
 bool isTwig(const model::PlantGeometry& geometry, int material) {
-  return geometry.materials[static_cast<std::size_t>(material)].name == QLatin1String("twig");
+  return geometry.materials[static_cast<std::size_t>(material)].thinner > 0;
 }
 
 /// Colour and greatest radius (m) of stems that a grower drew without bark; 0: none.
 vec4 twigsOf(const model::PlantGeometry& geometry, float scale) {
+  const auto twig = std::ranges::find_if(geometry.materials, [](const auto& material) { return material.thinner > 0; });
+  if (twig == geometry.materials.end()) return vec4(0);
   float thickest = 0;
-  for (const model::MeshPart& part : geometry.parts) {
-    if (!isTwig(geometry, part.material)) continue;
-    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
-      thickest = std::max(thickest, geometry.bones[geometry.vertices[geometry.indices[i]].bones[0]].radius);
-    }
-    return {vec3(geometry.materials[static_cast<std::size_t>(part.material)].baseColor), thickest * scale};
+  for (const model::Bone& bone : geometry.bones) {
+    if (bone.radius < twig->thinner) thickest = std::max(thickest, bone.radius);
   }
-  return vec4(0);
+  return {vec3(twig->baseColor), thickest * scale};
 }
 
 /// Without `wood` the parts that an adaptive mesh stands for stay empty.

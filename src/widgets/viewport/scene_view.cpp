@@ -39,13 +39,19 @@ std::optional<Box> sceneBox(const model::SceneAssembly& assembly, const model::S
     if (placed == scene.trees.end()) continue;
     const auto heading = static_cast<float>(placed->heading * kDegrees), scale = static_cast<float>(placed->scale);
     const vec3 at(placed->position.x(), placed->position.y(), placed->position.z());
-    for (const model::Vertex& vertex : assembly.plants.at(placed->plant).geometry->vertices) {
-      const vec3 p = vertex.position * scale;
+    const auto add = [&](vec3 place) {
+      const vec3 p = place * scale;
       const vec3 world = at + vec3(p.x * std::cos(heading) + p.z * std::sin(heading), p.y,
                                    p.z * std::cos(heading) - p.x * std::sin(heading));
       if (!all) all = Box{world, world};
       all->lower = glm::min(all->lower, world);
       all->upper = glm::max(all->upper, world);
+    };
+    const model::PlantGeometry& geometry = *assembly.plants.at(placed->plant).geometry;
+    for (const model::Vertex& vertex : geometry.vertices) add(vertex.position);
+    if (geometry.wood == model::WoodMesh::Whole) continue;
+    for (const model::Bone& bone : geometry.bones) {
+      for (const vec3 end : {bone.head, bone.tail}) add(end - bone.radius), add(end + bone.radius);
     }
   }
   return all;

@@ -4,14 +4,16 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QTimer>
+#include <QSettings>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 namespace windfall::widgets {
 namespace {
 
 constexpr int kStandardMotion = 220;   // ms, for views and framing
+constexpr int kRest = 250;             // ms without a new picture before a coarse one is drawn finely
 constexpr double kClickRadius = 4;     // px that a click may wander
 constexpr double kPixelsPerStep = 30;  // of a zooming drag
 
@@ -54,6 +56,16 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent) {
   label_->setAttribute(Qt::WA_TransparentForMouseEvents);
   label_->setObjectName("canvasHint");
   label_->hide();
+  coarseWhileMoving_ = QSettings().value(kCoarseSetting, true).toBool();
+  refine_.setSingleShot(true);
+  connect(&refine_, &QTimer::timeout, this, [this] {
+    refining_ = true;
+    update();
+  });
+  // From when it is seen, not from when it was asked for: a processor may take longer than the rest.
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+    if (isCoarse_) refine_.start(kRest);
+  });
   goal_ = camera_.state();
   animation_.setStartValue(0.0);
   animation_.setEndValue(1.0);
@@ -160,6 +172,11 @@ void Viewport::setQuality(render::Quality quality) {
   update();
 }
 
+void Viewport::setCoarseWhileMoving(bool on) {
+  coarseWhileMoving_ = on;
+  update();
+}
+
 void Viewport::initializeGL() {
   // Moved to another window, the widget gets another context: what lived in the old one goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer, Qt::UniqueConnection);
@@ -194,6 +211,10 @@ void Viewport::paintGL() {
   view.width = static_cast<int>(std::lround(width() * devicePixelRatioF()));
   view.height = static_cast<int>(std::lround(height() * devicePixelRatioF()));
   view.quality = quality_;
+  const bool refining = std::exchange(refining_, false);
+  view.coarse = coarseWhileMoving_ && !refining && quality_ == render::Quality::Standard && renderer_->isSoftware();
+  isCoarse_ = view.coarse;
+  refine_.stop();
   if (source_ != nullptr) {
     source_->prepare(*renderer_);
     source_->describe(view);

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <QVariantAnimation>
 #include <functional>
 #include <memory>
@@ -55,6 +56,13 @@ class Viewport : public QOpenGLWidget {
   /// Smooth camera motion, milliseconds; 0: at once.
   void setMotionTime(int milliseconds) { motionTime_ = milliseconds; }
   void setQuality(render::Quality quality);
+  /// Where a processor draws, standard pictures are coarse while something moves, and fine as soon as nothing does.
+  void setCoarseWhileMoving(bool on);
+  bool isCoarseWhileMoving() const { return coarseWhileMoving_; }
+  /// Whether the last picture was a coarse one.
+  bool isCoarse() const { return isCoarse_; }
+  /// Key of the artist's choice in QSettings; what is not there counts as chosen.
+  static constexpr auto kCoarseSetting = "view/coarseWhileMoving";
   QSize sizeHint() const override { return {960, 640}; }
 
  signals:
@@ -101,6 +109,8 @@ class Viewport : public QOpenGLWidget {
   QLabel* label_ = nullptr;
   QWidget* overlay_ = nullptr;
   int drawn_ = 0;
+  bool coarseWhileMoving_ = true, isCoarse_ = false, refining_ = false;
+  QTimer refine_;
 };
 
 }  // namespace windfall::widgets

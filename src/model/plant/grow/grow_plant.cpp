@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <future>
 
 #include "model/plant/grow/axes.h"
 #include "model/plant/grow/foliage_sites.h"
@@ -46,20 +48,22 @@ void splitTwigs(float thinner, std::size_t stalks, PlantGeometry& geometry) {
   int material = 0;
   for (const std::size_t count : {bark.size(), twigs.size(), from.size() - stalks}) {
     const auto size = static_cast<std::uint32_t>(count);
-    if (size > 0) geometry.parts.push_back({first, size, material, false});
+    // What an adaptive mesh stands for is told by parts too.
+    const bool stands = material < 2 && geometry.wood == WoodMesh::Left;
+    if (size > 0 || stands) geometry.parts.push_back({first, size, material, false});
     first += size, ++material;
   }
 }
 
-}  // namespace
-
-PlantGeometry dress(const Grown& grown, const GrowerSettings& settings) {
+PlantGeometry dressed(const Grown& grown, const GrowerSettings& settings, WoodMesh wood,
+                      const std::function<QImage()>& barkPicture) {
   const AxisTree tree = axesOf(grown);
   PlantGeometry geometry;
   geometry.format = QStringLiteral("grown");
   addBones(tree.axes, geometry);
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
+  geometry.wood = wood;
   const TwigLook thin = twigLook(settings.wood.bark);
   grower::buildBark(tree.axes, geometry, {}, thin.thinner);
   const std::size_t stalks = geometry.indices.size();
@@ -67,24 +71,35 @@ PlantGeometry dress(const Grown& grown, const GrowerSettings& settings) {
   Material bark, twig;
   bark.name = QStringLiteral("bark");
   bark.baseColor = vec4(1);
-  bark.texture = speciesBark(settings.wood.bark, settings.seed);
+  bark.texture = barkPicture();
   bark.roughness = 0.9f;
   twig.name = QStringLiteral("twig");
   twig.baseColor = thin.colour;
   twig.roughness = 0.8f;
   Material stalk = twig;
+  twig.thinner = thin.thinner;
   stalk.name = QStringLiteral("stalk");
   geometry.materials = {bark, twig, stalk};
   splitTwigs(thin.thinner, stalks, geometry);
   return geometry;
 }
 
-Result<PlantGeometry> growPlant(const Plant& plant, Progress& progress) {
+}  // namespace
+
+PlantGeometry dress(const Grown& grown, const GrowerSettings& settings) {
+  return dressed(grown, settings, WoodMesh::Whole, [&] { return speciesBark(settings.wood.bark, settings.seed); });
+}
+
+Result<PlantGeometry> growPlant(const Plant& plant, Progress& progress, WoodMesh wood) {
+  // Its picture needs nothing of the skeleton.
+  auto bark = std::async(std::launch::async, [look = plant.grower->wood.bark, seed = plant.grower->seed] {
+    return speciesBark(look, seed);
+  });
   ProgressPart growing(progress, 0, 0.7);
   Result<GrownSkeleton> skeleton = growSkeleton(plant, growing);
   if (!skeleton) return skeleton.error();
   if (progress.cancelled()) return Error{"cancelled", true};
-  PlantGeometry geometry = dress(skeleton->grown, *plant.grower);
+  PlantGeometry geometry = dressed(skeleton->grown, *plant.grower, wood, [&] { return bark.get(); });
   progress.report(1);
   return geometry;
 }

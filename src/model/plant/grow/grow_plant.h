@@ -10,7 +10,7 @@ namespace windfall::model::growth {
 
 /// Grows a plant by space colonization, self-organization or rules, applies the hand edits, and dresses it. Bones are
 /// the skeleton's links in the order of its axes. The same settings give the same bits.
-Result<PlantGeometry> growPlant(const Plant& plant, Progress& progress);
+Result<PlantGeometry> growPlant(const Plant& plant, Progress& progress, WoodMesh wood = WoodMesh::Whole);
 
 /// The geometry of a finished skeleton.
 PlantGeometry dress(const Grown& grown, const GrowerSettings& settings);
