@@ -1,6 +1,7 @@
 // Where a processor draws, the 3-D view is coarse at first and while it moves, and fine when nothing does.
 #include <QSettings>
 #include <QtTest>
+#include <algorithm>
 
 #include "support/suite.h"
 #include "widgets/viewport/viewport.h"
@@ -25,24 +26,27 @@ class ViewportRefinementTest : public QObject {
 
   void theFirstPictureIsCoarseAndTheNextFine() {
     if (!show()) return;
-    QTRY_COMPARE(coarse_.size(), 2u);
-    QVERIFY(coarse_[0] && !coarse_[1]);
+    QVERIFY(coarse_.front());
+    QTRY_VERIFY(!coarse_.back());
   }
 
   void aMovedCameraIsSeenCoarselyAndThenFinely() {
     if (!show()) return;
-    QTRY_COMPARE(coarse_.size(), 2u);
+    QTRY_VERIFY(!coarse_.back());
+    const std::size_t before = coarse_.size();
     QTest::keyClick(view_.get(), Qt::Key_7, Qt::KeypadModifier);
-    QTRY_COMPARE(coarse_.size(), 4u);
-    QVERIFY(coarse_[2] && !coarse_[3]);
+    QTRY_VERIFY(coarse_.size() > before);
+    QVERIFY(coarse_[before]);
+    QTRY_VERIFY(!coarse_.back());
   }
 
   void whoWantsNoCoarsePicturesGetsNone() {
     view_->setCoarseWhileMoving(false);
     if (!show()) return;
+    const std::size_t before = coarse_.size();
     QTest::keyClick(view_.get(), Qt::Key_7, Qt::KeypadModifier);
-    QTRY_COMPARE(coarse_.size(), 2u);
-    QVERIFY(!coarse_[0] && !coarse_[1]);
+    QTRY_VERIFY(coarse_.size() > before);
+    QVERIFY(std::ranges::none_of(coarse_, [](bool coarse) { return coarse; }));
   }
 
   void theChoiceIsRemembered() {
