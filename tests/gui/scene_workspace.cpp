@@ -241,6 +241,21 @@ class SceneWorkspaceTest : public QObject, test::WorkspaceStage<SceneWorkspace> 
     QVERIFY(window_->settle());
     QCOMPARE(workspace_->controller().last().leafCount, std::size_t{90});
   }
+
+  void everyLeafOfTheTreesIsOneClick() {
+    std::size_t sites = 0;
+    for (const auto& tree : workspace_->feed().assembly()->sim.trees) sites += tree.tree->sites.size();
+    QVERIFY(sites > 100);
+    QTest::mouseClick(field<CheckField>("leaves.every")->box(), Qt::LeftButton);
+    QVERIFY(window_->settle());
+    QCOMPARE(document_->project().scene.leaves.count, model::kEveryLeaf);
+    QCOMPARE(workspace_->controller().last().leafCount, sites);
+    QVERIFY(!field<NumberField>("leaves.count")->isEnabled());
+    document_->undoStack().undo();
+    QVERIFY(window_->settle());
+    QCOMPARE(workspace_->controller().last().leafCount, std::size_t{60});
+    QVERIFY(field<NumberField>("leaves.count")->isEnabled());
+  }
 };
 
 WINDFALL_SUITE(SceneWorkspaceTest)

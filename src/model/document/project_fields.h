@@ -330,7 +330,7 @@ void fields(Io& io, typename Io::template Ref<sim::WindSettings> wind) {
 
 template <class Io>
 void fields(Io& io, typename Io::template Ref<sim::LeafSettings> leaves) {
-  io.number("count", leaves.count, 0, 50'000'000);
+  io.number("count", leaves.count, kEveryLeaf, 50'000'000);
   io.number("season", leaves.season, 0, 1);
   io.number("spawnHeight", leaves.spawnHeight, 0, 1e5);
   io.number("massPerArea", leaves.massPerArea, 1e-4, 100);

@@ -35,6 +35,10 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, 
 /// A tree `scale` times as large: lengths and radii, leaf areas by its square, leaves with it.
 sim::Tree scaled(sim::Tree tree, double scale);
 
+/// How many leaves kEveryLeaf stands for: one at each place of all trees, at most half a million; where they begin in
+/// the air, some.
+std::int32_t everyLeaf(const std::vector<sim::TreeInstance>& trees, const sim::LeafSettings& leaves);
+
 /// Loads every plant of the scene, textures its leaves from the kept variants, and describes the simulation.
 Result<SceneAssembly> assembleScene(const Project& project, Progress& progress, GeometryCache* shapes = nullptr);
 

@@ -33,6 +33,13 @@ sim::Tree scaled(sim::Tree tree, double scale) {
   return tree;
 }
 
+std::int32_t everyLeaf(const std::vector<sim::TreeInstance>& trees, const sim::LeafSettings& leaves) {
+  std::size_t sites = 0;
+  for (const sim::TreeInstance& tree : trees) sites += tree.tree->sites.size();
+  if (leaves.spawnHeight > 0 || sites == 0) return sim::LeafSettings().count;
+  return static_cast<std::int32_t>(std::min<std::size_t>(sites, 500'000));
+}
+
 Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, GeometryCache* shapes) {
   GeometryCache own;
   if (!shapes) shapes = &own;
@@ -77,11 +84,8 @@ Result<SceneAssembly> assembleTrees(const Project& project, Progress& progress, 
   }
   assembly.sim.wind = project.scene.wind;
   assembly.sim.leaves = project.scene.leaves;
-  if (assembly.sim.leaves.count < 0) {
-    // As many as there is room for, of each place one.
-    std::size_t sites = 0;
-    for (const sim::TreeInstance& tree : assembly.sim.trees) sites += tree.tree->sites.size();
-    assembly.sim.leaves.count = static_cast<std::int32_t>(std::min<std::size_t>(sites, 500'000));
+  if (assembly.sim.leaves.count == kEveryLeaf) {
+    assembly.sim.leaves.count = everyLeaf(assembly.sim.trees, assembly.sim.leaves);
   }
   assembly.sim.solver = project.scene.solver;
   assembly.sim.leafLayers = static_cast<std::uint32_t>(plan.layers.size());

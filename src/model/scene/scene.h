@@ -35,10 +35,13 @@ struct DetailSettings {
   bool operator==(const DetailSettings&) const = default;
 };
 
+/// LeafSettings::count of a scene that shows as many leaves as its trees have places for.
+inline constexpr std::int32_t kEveryLeaf = -1;
+
 struct Scene {
   std::vector<TreePlacement> trees;
   sim::WindSettings wind;
-  sim::LeafSettings leaves;
+  sim::LeafSettings leaves{.count = kEveryLeaf};
   sim::SolverSettings solver;
   Light light;
   DetailSettings detail;

@@ -174,13 +174,6 @@ void PlantWorkspace::growPreset(const QString& name) {
   if (plant) {
     model::Document& document = context_.document;
     document.undoStack().beginMacro(tr("Add %1").arg(plant->name));
-    // The first tree of a scene brings leaves enough to be known by them.
-    sim::LeafSettings leaves = document.project().scene.leaves;
-    constexpr std::int32_t kEnough = 60'000;
-    if (document.project().scene.trees.empty() && plant->grower->height > 4 && leaves.count < kEnough) {
-      leaves.count = kEnough;
-      document.setScene(&model::Scene::leaves, leaves, model::Aspect::FallingLeaves, tr("Change the number of leaves"));
-    }
     addPlant(std::move(*plant), {}, false);
     document.undoStack().endMacro();
   } else {
@@ -237,7 +230,7 @@ std::optional<model::Project> PlantWorkspace::alone() const {
   alone.scene.leaves.spawnHeight = 0;
   // A grower's plant is shown in full leaf, whatever the scene can afford.
   if (plant->file.isEmpty() && plant->grower && plant->grower->method != model::GrowMethod::Rule)
-    alone.scene.leaves.count = -1;
+    alone.scene.leaves.count = model::kEveryLeaf;
   alone.scene.solver = project.scene.solver;
   alone.scene.light = project.scene.light;
   alone.scene.seed = project.scene.seed;

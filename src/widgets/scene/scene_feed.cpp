@@ -228,7 +228,9 @@ void SceneFeed::passTrees(model::AssetId plant) {
 
 sim::LeafSettings SceneFeed::leavesOf(const model::Project& project) const {
   sim::LeafSettings leaves = project.scene.leaves;
-  if (leaves.count < 0 && assembly_) leaves.count = assembly_->scene.sim.leaves.count;
+  if (leaves.count == model::kEveryLeaf && assembly_) {
+    leaves.count = model::everyLeaf(assembly_->scene.sim.trees, leaves);
+  }
   return leaves;
 }
 

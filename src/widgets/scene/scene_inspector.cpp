@@ -142,7 +142,10 @@ void SceneInspector::addLeaves() {
   const auto part = &model::Scene::leaves;
   const auto aspect = model::Aspect::FallingLeaves;
   FieldGroup* group = addGroup("leaves", tr("Falling leaves"));
-  number<Leaves>(
+  auto* every = group->add(new CheckField(tr("Every leaf"), true));
+  keep("leaves.every", every);
+  every->setToolTip(tr("One at each place of the trees; else a number of your own"));
+  NumberField* count = number<Leaves>(
       group, "leaves.count", tr("Leaves"),
       {.minimum = 1,
        .maximum = 200000,
@@ -151,8 +154,18 @@ void SceneInspector::addLeaves() {
        .logarithmic = true,
        .hardMinimum = 0,
        .hardMaximum = 5000000},
-      part, aspect, [](const Leaves& l) { return l.count; },
+      part, aspect, [](const Leaves& l) { return l.count == model::kEveryLeaf ? Leaves().count : l.count; },
       [](Leaves& l, double v) { l.count = static_cast<std::int32_t>(v); });
+  connect(every, &CheckField::edited, this, [this, part](bool on) {
+    Leaves leaves = document_.project().scene.leaves;
+    leaves.count = on ? model::kEveryLeaf : Leaves().count;
+    document_.setScene(part, leaves, model::Aspect::FallingLeaves, tr("Change the number of leaves"));
+  });
+  shows_.push_back([every, count](const model::Scene& scene) {
+    const bool all = scene.leaves.count == model::kEveryLeaf;
+    every->setValue(all);
+    count->setEnabled(!all);
+  });
   number<Leaves>(
       group, "leaves.season", tr("Season"), {.maximum = 1, .defaultValue = 0.75}, part, aspect,
       [](const Leaves& l) { return l.season; }, [](Leaves& l, double v) { l.season = static_cast<float>(v); })

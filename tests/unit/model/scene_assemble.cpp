@@ -51,6 +51,7 @@ class SceneAssembleTest : public QObject {
   void aShapeIsMadeAgainOnlyWhenItChanges();
   void scaleIsFoldedIntoTheTree();
   void settingsGoToTheSimulation();
+  void everyPlaceHasItsLeafUnlessANumberIsGiven();
   void brokenScenesNameWhatIsWrong();
   void layersFollowTheKeptVariants();
   void treesWithoutLeavesGetAPaintedOne();
@@ -113,6 +114,32 @@ void SceneAssembleTest::settingsGoToTheSimulation() {
   QCOMPARE(assembly->sim.leafLayers, 1u);
   Progress again;
   QVERIFY(sim::Engine::create(assembly->sim, sim::Device::Cpu, 1));
+}
+
+void SceneAssembleTest::everyPlaceHasItsLeafUnlessANumberIsGiven() {
+  Progress progress;
+  Project project;
+  Plant plant;
+  plant.id = {1};
+  plant.grower = GrowerSettings{};
+  project.plants.push_back(plant);
+  for (const quint64 id : {2, 3}) {
+    TreePlacement tree;
+    tree.id = {id};
+    tree.plant = {1};
+    project.scene.trees.push_back(tree);
+  }
+  const Result<SceneAssembly> every = assembleTrees(project, progress);
+  QVERIFY(bool(every));
+  const std::size_t sites = every->sim.trees[0].tree->sites.size();
+  QVERIFY(sites > 100);
+  QCOMPARE(every->sim.leaves.count, static_cast<std::int32_t>(2 * sites));
+  project.scene.leaves.count = 7;
+  QCOMPARE(assembleTrees(project, progress)->sim.leaves.count, 7);
+  // In the air there are no places to count.
+  project.scene.leaves.count = kEveryLeaf;
+  project.scene.leaves.spawnHeight = 10;
+  QCOMPARE(assembleTrees(project, progress)->sim.leaves.count, sim::LeafSettings().count);
 }
 
 void SceneAssembleTest::brokenScenesNameWhatIsWrong() {
