@@ -15,9 +15,33 @@ struct AxisMode {
   double airRate = 0;  ///< damping by the air over mass, sum c v2 / sum m v2, 1/s (5.8)
 };
 
-/// The mode of the axis that each link belongs to. `drags` are the composites of the drag's slope in the place of mass,
-/// of each link.
-std::vector<AxisMode> axisModes(const std::vector<LinkBody>& bodies, const std::vector<Composite>& composites,
-                                const std::vector<Composite>& drags);
+/// One axis: its links from base to tip, each with all that it carries.
+struct AxisLinks {
+  std::span<const LinkBody> bodies;
+  std::span<const Composite> composites;
+  std::span<const Composite> drags;  ///< composites of the drag's slope in the place of mass
+};
+
+/// Finds modes; memory is taken when it is made.
+class AxisModes {
+ public:
+  /// `longest`: links of an axis, at most.
+  explicit AxisModes(std::size_t longest);
+  AxisMode modeOf(const AxisLinks& links);
+
+ private:
+  using Vectors = std::vector<glm::dvec3>;
+  /// Leaves to each link what it carries itself: rigid side axes are part of it.
+  static void toLumps(std::span<const LinkBody> bodies, std::span<const Composite> composites,
+                      std::vector<Composite>& lumps);
+  void load(const std::vector<Composite>& lumps, const glm::dvec3& direction);
+  void massTimes(const std::vector<Composite>& lumps, const Vectors& angle, Vectors& torque);
+  void sum(Vectors& torque);
+  glm::dvec3 step(std::size_t k) const { return bodies_[k].joint - bodies_[k - 1].joint; }
+
+  std::span<const LinkBody> bodies_;
+  std::vector<Composite> mass_, drag_;
+  Vectors force_, angle_, torque_, draft_;
+};
 
 }  // namespace windfall::sim

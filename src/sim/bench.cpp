@@ -30,13 +30,27 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+namespace {
+/// The least of each step so far.
+void join(std::vector<double>& least, const std::vector<double>& round, double units) {
+  if (least.empty()) least.assign(round.size(), 1e30);
+  for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], round[i] * units);
+}
+}  // namespace
+
 BenchmarkResult runBenchmark(const Benchmark& benchmark, int rounds) {
   BenchmarkResult result{benchmark.name, benchmark.what, benchmark.unit, std::max(rounds, 1), {}};
   const std::vector<Contender> contenders = benchmark.prepare();
   std::vector<std::vector<double>> times(contenders.size());
-  for (const Contender& contender : contenders) contender.run();
+  for (const Contender& contender : contenders) {
+    if (contender.run) contender.run();
+  }
   for (int round = 0; round < result.rounds; ++round) {
     for (std::size_t c = 0; c < contenders.size(); ++c) {
+      if (contenders[c].profile) {
+        join(times[c], contenders[c].profile(), benchmark.unitsPerSecond / contenders[c].items);
+        continue;
+      }
       for (int repeat = 0; repeat < contenders[c].repeats; ++repeat) {
         const auto start = std::chrono::steady_clock::now();
         contenders[c].run();
@@ -47,8 +61,8 @@ BenchmarkResult runBenchmark(const Benchmark& benchmark, int rounds) {
   }
   for (std::size_t c = 0; c < contenders.size(); ++c) {
     std::sort(times[c].begin(), times[c].end());
-    result.contenders.push_back(
-        {contenders[c].name, times[c].front(), times[c][times[c].size() / 2], contenders[c].note});
+    result.contenders.push_back({contenders[c].name, times[c].front(), times[c][times[c].size() / 2],
+                                 contenders[c].profile ? times[c].back() : 0, contenders[c].note});
   }
   return result;
 }
@@ -61,8 +75,8 @@ std::string benchmarkTable(const BenchmarkResult& result) {
   for (const ContenderResult& row : result.contenders) {
     const double times = row.least / result.contenders.front().least;
     table += "  " + padded(row.name, width) + number("  least %9.3g", row.least) +
-             number("  median %9.3g", row.median) + number("  %6.2fx", times) +
-             (row.note.empty() ? "" : "  " + row.note) + "\n";
+             number("  median %9.3g", row.median) + (row.worst > 0 ? number("  worst %9.3g", row.worst) : "") +
+             number("  %6.2fx", times) + (row.note.empty() ? "" : "  " + row.note) + "\n";
   }
   return table;
 }

@@ -15,6 +15,9 @@ struct Contender {
   double items = 1;           ///< what one run does: links times steps, leaves, textures
   int repeats = 1;            ///< runs a round, each timed by itself: short ones slip between a busy machine's others
   std::string note;           ///< what else is worth saying: "522 bytes a link"
+  /// In the place of `run`: does the job from its start to its end, in equal steps each time, and tells how long each
+  /// step took, s. Of a step the least of all rounds counts, so that what is left is the program's own unevenness.
+  std::function<std::vector<double>()> profile = nullptr;
 };
 
 /// A job and those who do it; the first contender is ours, the others are what it is measured against.
@@ -29,6 +32,7 @@ struct Benchmark {
 struct ContenderResult {
   std::string name;
   double least = 0, median = 0;  ///< in the benchmark's unit
+  double worst = 0;              ///< the longest of a profile's steps; 0 without
   std::string note;
 };
 

@@ -46,64 +46,78 @@ double firstFrequency(const Tree& tree) {
   return tree.links.empty() || !problemOf(tree).empty() ? 0 : firstFrequency(bodiesOf(tree));
 }
 
+Ground::Ground(const Placement& placement)
+    : position(placement.position), turn(glm::angleAxis(static_cast<double>(placement.heading), glm::dvec3(0, 1, 0))) {}
+
+LinkBody bodyOf(const Tree& tree, std::size_t i, const Ground& ground, double lostArea) {
+  const Link& link = tree.links[i];
+  LinkBody body;
+  const double area = std::max(0.0, static_cast<double>(link.leafArea) - lostArea);
+  const double wood = static_cast<double>(massOf(link).wood), leaves = kLeafMassPerArea * area;
+  body.parent = link.parent;
+  body.rotation = glm::normalize(ground.turn * glm::dquat(link.rotation));
+  body.axes = glm::mat3_cast(body.rotation);
+  body.joint = ground.position + ground.turn * glm::dvec3(link.joint);
+  body.length = static_cast<double>(link.length);
+  body.radius = static_cast<double>(link.radius);
+  body.mass = wood + leaves;
+  const double square = body.radius * body.radius;
+  body.across = body.mass * (3 * square + body.length * body.length) / 12;
+  body.along = wood * square / 2 + leaves * kLeafLeverSquare;
+  double compliance = 0.5 * body.length / sectionOf(link);
+  if (link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].chain == link.chain) {
+    const Link& parent = tree.links[static_cast<std::size_t>(link.parent)];
+    body.continues = true;
+    compliance += 0.5 * static_cast<double>(parent.length) / sectionOf(parent);
+  }
+  body.stiffness = glm::dvec3(1, 1, kShearRatio) / compliance;
+  body.dampingScale = static_cast<double>(link.dampingScale);
+  body.rayleighAlpha = static_cast<double>(link.rayleighAlpha);
+  body.rayleighBeta = static_cast<double>(link.rayleighBeta);
+  body.propagation = static_cast<double>(link.propagation);
+  const double wind = static_cast<double>(link.windScale);
+  body.woodDrag = 0.5 * kAirDensity * 2 * body.radius * body.length * wind;
+  body.leafDrag = 0.5 * kAirDensity * kLeafDrag * area * wind;
+  return body;
+}
+
 std::vector<LinkBody> bodiesOf(const Tree& tree, const Placement& placement, std::span<const float> lostArea) {
-  std::vector<LinkBody> bodies(tree.links.size());
-  const glm::dquat turn = glm::angleAxis(static_cast<double>(placement.heading), glm::dvec3(0, 1, 0));
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Link& link = tree.links[i];
-    LinkBody& body = bodies[i];
-    const double lost = lostArea.empty() ? 0 : static_cast<double>(lostArea[i]);
-    const double area = std::max(0.0, static_cast<double>(link.leafArea) - lost);
-    const double wood = static_cast<double>(massOf(link).wood), leaves = kLeafMassPerArea * area;
-    body.parent = link.parent;
-    body.rotation = glm::normalize(turn * glm::dquat(link.rotation));
-    body.axes = glm::mat3_cast(body.rotation);
-    body.joint = glm::dvec3(placement.position) + turn * glm::dvec3(link.joint);
-    body.length = static_cast<double>(link.length);
-    body.radius = static_cast<double>(link.radius);
-    body.mass = wood + leaves;
-    const double square = body.radius * body.radius;
-    body.across = body.mass * (3 * square + body.length * body.length) / 12;
-    body.along = wood * square / 2 + leaves * kLeafLeverSquare;
-    double compliance = 0.5 * body.length / sectionOf(link);
-    if (link.parent >= 0 && tree.links[static_cast<std::size_t>(link.parent)].chain == link.chain) {
-      const Link& parent = tree.links[static_cast<std::size_t>(link.parent)];
-      body.continues = true;
-      compliance += 0.5 * static_cast<double>(parent.length) / sectionOf(parent);
-    }
-    body.stiffness = glm::dvec3(1, 1, kShearRatio) / compliance;
-    body.dampingScale = static_cast<double>(link.dampingScale);
-    body.rayleighAlpha = static_cast<double>(link.rayleighAlpha);
-    body.rayleighBeta = static_cast<double>(link.rayleighBeta);
-    body.propagation = static_cast<double>(link.propagation);
-    const double wind = static_cast<double>(link.windScale);
-    body.woodDrag = 0.5 * kAirDensity * 2 * body.radius * body.length * wind;
-    body.leafDrag = 0.5 * kAirDensity * kLeafDrag * area * wind;
+  std::vector<LinkBody> bodies;
+  bodies.reserve(tree.links.size());
+  const Ground ground(placement);
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    bodies.push_back(bodyOf(tree, i, ground, lostArea.empty() ? 0 : static_cast<double>(lostArea[i])));
   }
   return bodies;
 }
 
+void Composite::add(const LinkBody& body) {
+  const glm::dmat3 one(1);
+  const glm::dvec3 r = body.arm();
+  const glm::dmat3 local(glm::dvec3(body.across, 0, 0), glm::dvec3(0, body.across, 0), glm::dvec3(0, 0, body.along));
+  mass += body.mass;
+  moment += body.mass * r;
+  inertia +=
+      body.axes * local * glm::transpose(body.axes) + body.mass * (glm::dot(r, r) * one - glm::outerProduct(r, r));
+}
+
+void Composite::add(const Composite& child, const glm::dvec3& d) {
+  const glm::dmat3 one(1);
+  mass += child.mass;
+  moment += child.moment + child.mass * d;
+  inertia += child.inertia + child.mass * (glm::dot(d, d) * one - glm::outerProduct(d, d)) +
+             2 * glm::dot(child.moment, d) * one - glm::outerProduct(child.moment, d) -
+             glm::outerProduct(d, child.moment);
+}
+
 std::vector<Composite> compositesOf(const std::vector<LinkBody>& bodies) {
   std::vector<Composite> all(bodies.size());
-  const glm::dmat3 one(1);
   for (std::size_t i = bodies.size(); i-- > 0;) {
     const LinkBody& body = bodies[i];
-    Composite& own = all[i];
-    const glm::dvec3 r = body.arm();
-    const glm::dmat3 local(glm::dvec3(body.across, 0, 0), glm::dvec3(0, body.across, 0), glm::dvec3(0, 0, body.along));
-    own.mass += body.mass;
-    own.moment += body.mass * r;
-    own.inertia +=
-        body.axes * local * glm::transpose(body.axes) + body.mass * (glm::dot(r, r) * one - glm::outerProduct(r, r));
+    all[i].add(body);
     if (body.parent < 0) continue;
     const auto p = static_cast<std::size_t>(body.parent);
-    const glm::dvec3 d = body.joint - bodies[p].joint;
-    Composite& parent = all[p];
-    parent.mass += own.mass;
-    parent.moment += own.moment + own.mass * d;
-    parent.inertia += own.inertia + own.mass * (glm::dot(d, d) * one - glm::outerProduct(d, d)) +
-                      2 * glm::dot(own.moment, d) * one - glm::outerProduct(own.moment, d) -
-                      glm::outerProduct(d, own.moment);
+    all[p].add(all[i], body.joint - bodies[p].joint);
   }
   return all;
 }

@@ -29,6 +29,17 @@ struct LinkBody {
   glm::dvec3 arm() const { return axes[2] * (0.5 * length); }
 };
 
+/// Where a tree stands, as bodies take it.
+struct Ground {
+  glm::dvec3 position{0};
+  glm::dquat turn{1, 0, 0, 0};
+  Ground() = default;
+  explicit Ground(const Placement& placement);
+};
+
+/// The body of one link that has lost `lostArea` m2 of its leaves.
+LinkBody bodyOf(const Tree& tree, std::size_t link, const Ground& ground, double lostArea);
+
 /// Bodies of all links; `lostArea` (m2 a link; empty: nothing) is the area of the leaves that have fallen.
 std::vector<LinkBody> bodiesOf(const Tree& tree, const Placement& placement = {}, std::span<const float> lostArea = {});
 
@@ -37,6 +48,11 @@ struct Composite {
   double mass = 0;
   glm::dvec3 moment{0};   ///< sum of m r about the joint, world
   glm::dmat3 inertia{0};  ///< about the joint, world
+
+  /// Adds the joint's own link.
+  void add(const LinkBody& body);
+  /// Adds what a child carries whose joint stands `d` from this one.
+  void add(const Composite& child, const glm::dvec3& d);
 };
 std::vector<Composite> compositesOf(const std::vector<LinkBody>& bodies);
 

@@ -130,10 +130,22 @@ double CpuEngine::time() const { return static_cast<double>(steps_) * stepLength
 
 FactorSettings CpuEngine::factorSettings() const { return settingsOf(scene_, wind_, time()); }
 
+namespace {
+bool isSameWind(const FactorSettings& a, const FactorSettings& b) {
+  return a.windSpeed == b.windSpeed && a.windDirection == b.windDirection;
+}
+}  // namespace
+
+/// In a step: the constants come some steps later.
 void CpuEngine::followWind() {
   const FactorSettings wanted = factorSettings();
-  const FactorSettings& used = trees_.settings();
-  if (wanted.windSpeed != used.windSpeed || wanted.windDirection != used.windDirection) trees_.factorise(wanted);
+  if (!isSameWind(wanted, trees_.settings())) trees_.renew(wanted, lostArea_);
+}
+
+/// Outside of steps: at once.
+void CpuEngine::takeWind() {
+  const FactorSettings wanted = factorSettings();
+  if (trees_.isRenewing() || !isSameWind(wanted, trees_.settings())) trees_.factorise(wanted);
 }
 
 LinkView CpuEngine::linkView() const {
@@ -146,7 +158,7 @@ void CpuEngine::followLeaves() {
   for (std::size_t i = 0; i < lostArea_.size(); ++i) {
     change += static_cast<double>(std::abs(lostArea_[i] - trees_.lostArea()[i]));
   }
-  if (change > kLeafShare * leafArea_) trees_.setLostArea(lostArea_);
+  if (change > kLeafShare * leafArea_) trees_.renew(trees_.settings(), lostArea_);
 }
 
 void CpuEngine::step() {
@@ -182,7 +194,7 @@ void CpuEngine::reset() {
   leaves_.reset();
   forgetLeaves();
   trees_.reset();
-  followWind();
+  takeWind();
   wind_.advance(0);
 }
 
@@ -274,11 +286,21 @@ std::uint64_t CpuEngine::hash() const {
 
 namespace {
 constexpr char kMagic[8] = {'W', 'i', 'n', 'd', 's', 't', 'a', 't'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kOldest = 2;  // knew no constants that are being made
 
 bool allFinite(const void* data, std::size_t floats) {
   const auto* values = static_cast<const float*>(data);
   return std::all_of(values, values + floats, [](float v) { return std::isfinite(v); });
+}
+
+bool isSane(const TreeField::Renewal& renewal) {
+  const auto isWind = [](double speed, const double(&d)[3]) {
+    const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    return speed >= 0 && speed <= 2.0 * static_cast<double>(kMostWindSpeed) && square > 0.5 && square < 2;
+  };
+  return isWind(renewal.windSpeed, renewal.direction) && isWind(renewal.nextWindSpeed, renewal.nextDirection) &&
+         renewal.pieces <= static_cast<std::int64_t>(TreeField::kFactorSteps) + 1;
 }
 }  // namespace
 
@@ -310,6 +332,8 @@ std::vector<std::uint8_t> CpuEngine::save() const {
   body.values(std::span<const float>(lostArea_));
   body.values(trees_.lostArea());
   body.values(std::span<const std::uint8_t>(leaves_.save()));
+  body.value(trees_.renewal());
+  body.values(trees_.nextLostArea());
   const std::vector<std::uint8_t> content = body.take();
   ByteWriter file;
   file.value(kMagic);
@@ -327,7 +351,7 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   std::span<const std::uint8_t> content;
   if (!file.value(magic) || !std::equal(magic, magic + 8, kMagic)) return Error{"this is no state of a simulation"};
   if (!file.value(version)) return Error{"the state of the simulation is cut short"};
-  if (version != kVersion)
+  if (version < kOldest || version > kVersion)
     return Error{"the state of the simulation is of version " + std::to_string(version) + ", not " +
                  std::to_string(kVersion)};
   if (!file.value(sum) || !file.block(content) || !file.atEnd())
@@ -341,21 +365,22 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   WindAnchor anchor;
   std::vector<float> motion(trees_.state().size());
   std::vector<LinkState> before(trees_.size()), after(trees_.size());
-  std::vector<float> lost(trees_.size()), known(trees_.size());
+  std::vector<float> lost(trees_.size()), known(trees_.size()), nextLost(trees_.size());
+  TreeField::Renewal renewal;
   std::span<const std::uint8_t> leaves;
   const bool whole = body.value(steps) && body.value(accumulator) && body.value(anchor) &&
                      body.values(std::span(motion)) && body.values(std::span(before)) &&
                      body.values(std::span(after)) && body.values(std::span(lost)) && body.values(std::span(known)) &&
-                     body.block(leaves);
+                     body.block(leaves) && (version < 3 || (body.value(renewal) && body.values(std::span(nextLost))));
   const double numbers[] = {accumulator,     anchor.time,   anchor.drift[0], anchor.drift[1],
                             anchor.drift[2], anchor.fronts, anchor.turnover};
-  const bool sane = whole && steps >= 0 && steps < (std::int64_t{1} << 40) && accumulator >= 0 &&
-                    accumulator <= stepLength() &&
-                    std::all_of(std::begin(numbers), std::end(numbers), [](double v) { return std::abs(v) < 1e12; }) &&
-                    allFinite(lost.data(), lost.size()) && allFinite(known.data(), known.size()) &&
-                    allFinite(motion.data(), motion.size()) &&
-                    allFinite(before.data(), before.size() * sizeof(LinkState) / sizeof(float)) &&
-                    allFinite(after.data(), after.size() * sizeof(LinkState) / sizeof(float));
+  const bool sane =
+      whole && steps >= 0 && steps < (std::int64_t{1} << 40) && accumulator >= 0 && accumulator <= stepLength() &&
+      std::all_of(std::begin(numbers), std::end(numbers), [](double v) { return std::abs(v) < 1e12; }) &&
+      allFinite(lost.data(), lost.size()) && allFinite(known.data(), known.size()) &&
+      allFinite(nextLost.data(), nextLost.size()) && isSane(renewal) && allFinite(motion.data(), motion.size()) &&
+      allFinite(before.data(), before.size() * sizeof(LinkState) / sizeof(float)) &&
+      allFinite(after.data(), after.size() * sizeof(LinkState) / sizeof(float));
   if (!sane || !body.atEnd()) return Error{"the state of the simulation is damaged"};
 
   if (Status status = leaves_.restore(leaves); !status) return status.error();
@@ -364,11 +389,15 @@ Status CpuEngine::restore(std::span<const std::uint8_t> bytes) {
   accumulator_ = accumulator;
   between_ = 1;
   wind_.restore(anchor);
+  lostArea_ = lost;
+  if (version < 3) {
+    const FactorSettings settings = factorSettings();
+    renewal.windSpeed = settings.windSpeed;
+    for (int k = 0; k < 3; ++k) renewal.direction[k] = settings.windDirection[k];
+  }
+  trees_.resume(renewal, known, nextLost);
   trees_.setState(motion, before, after);
   poseWhereMoved();
-  lostArea_ = lost;
-  if (!std::equal(known.begin(), known.end(), trees_.lostArea().begin())) trees_.setLostArea(known);
-  followWind();
   wind_.advance(std::max(0.0, time() - 0.5 * stepLength()));
   return ok();
 }

@@ -47,6 +47,7 @@ class CpuEngine : public Engine {
  private:
   FactorSettings factorSettings() const;
   void followWind();
+  void takeWind();
   void followLeaves();
   void forgetLeaves();
   void poseWhereMoved();

@@ -40,7 +40,7 @@ void CpuEngine::adopt(const Engine& before, std::span<const int> from) {
     }
   }
   trees_.pose();
-  followWind();
+  takeWind();
   wind_.advance(time());
 }
 

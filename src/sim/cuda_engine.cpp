@@ -109,6 +109,7 @@ class CudaEngine final : public CpuEngine {
 
  protected:
   void moveTrees(TreeField& trees, const WindView& wind) override {
+    if (solver_.problem().empty()) trees.renewOn();
     if (solver_.problem().empty() && revision_ != trees.revision()) {
       const LinkSlots<float> view = trees.view();
       solver_.setConstants(trees.constants(), view.constantFields);

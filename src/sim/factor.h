@@ -2,7 +2,7 @@
 // system (tree_dynamics.md, 6.2), the modes of the analytic joints (5), the forces method's joints (7).
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,7 +16,7 @@ struct FactorSettings {
   TreeMethod method = TreeMethod::Coupled;
   double h = 1.0 / 60;              ///< s
   double implicitness = 0.6;        ///< theta of 6.1
-  double dampingRatio = 0.03;       ///< structural: of the first mode (coupled), of each joint (analytic)
+  double dampingRatio = 0.03;       ///< structural: of the first mode (coupled, moving bases), of each joint
   double frequency = 0;             ///< above 0: taken for every tree's first in the place of its own, Hz
   bool compensate = true;           ///< numerical damping is taken off the structural one
   glm::dvec3 gravity{0, -9.81, 0};  ///< m/s2
@@ -38,35 +38,53 @@ struct LinkInertia {
   float mass = 0, across = 0, along = 0, floor = 0;
 };
 
-/// Torque that gravity exerts at rest, joint frame; and how strongly wind and weight pull each subtree outward (5.4), N
-/// m/rad.
-struct RestLoads {
-  std::vector<glm::dvec3> preStress;
-  std::vector<double> geometric;
-};
-RestLoads restLoads(const std::vector<LinkBody>& bodies, const FactorSettings& settings);
-
 /// Force of the mean wind on a link, N.
 double meanDrag(const LinkBody& body, const FactorSettings& settings);
 
 /// dF/dv of a link's drag at the level of the mean wind, N s/m (2.4, 5.8).
 double dragSlope(const LinkBody& body, const FactorSettings& settings);
 
-/// Fills the first kCommonConstants of a link's constants.
-void commonConstants(const std::vector<LinkBody>& bodies, std::size_t i, const FactorSettings& settings,
-                     const glm::dvec3& preStress, std::span<double> constants);
+/// What constants are made of. The tree stays as it is until they are made.
+struct FactorInput {
+  const Tree* tree = nullptr;
+  Ground ground;
+  std::span<const float> lostArea;  ///< of each link's fallen leaves, m2; empty: none
+  double frequency = 0;             ///< the tree's first, Hz, which structural damping refers to
+  FactorSettings settings;
 
-/// Takes the constants of one link, in the order of the solver's fields.
-using ConstantSink = std::function<void(std::size_t link, std::span<const double> constants)>;
+  LinkBody body(std::size_t link) const {
+    return bodyOf(*tree, link, ground, lostArea.empty() ? 0 : static_cast<double>(lostArea[link]));
+  }
+};
 
-/// Constants of all links of a tree for the solver of settings.method. `frequency`: the tree's first in Hz, which the
-/// structural damping of the coupled solver refers to.
-void factorise(const std::vector<LinkBody>& bodies, double frequency, const FactorSettings& settings,
-               const ConstantSink& sink, std::span<LinkInertia> inertias);
+/// Takes constants of a link, in the order of the solver's fields, from field `first` on; `inertia` with the last ones.
+class ConstantSink {
+ public:
+  virtual void put(std::size_t link, std::uint32_t first, std::span<const double> constants) = 0;
+  virtual void put(std::size_t link, const LinkInertia& inertia) = 0;
 
-void factoriseCoupled(const std::vector<LinkBody>& bodies, double frequency, const FactorSettings& settings,
-                      const ConstantSink& sink, std::span<LinkInertia> inertias);
-void factoriseModal(const std::vector<LinkBody>& bodies, const FactorSettings& settings, const ConstantSink& sink);
-void factoriseForces(const std::vector<LinkBody>& bodies, const FactorSettings& settings, const ConstantSink& sink);
+ protected:
+  ~ConstantSink() = default;
+};
+
+/// One way through a tree that makes something of it, a piece at a time. Memory is taken when it is made.
+class FactorPass {
+ public:
+  virtual ~FactorPass() = default;
+  /// Starts anew; the input stays until the pass is done.
+  virtual void begin(const FactorInput& input) = 0;
+  /// Goes on for at most `visits` visits, which it takes off. True when all is done.
+  virtual bool advance(std::size_t& visits, ConstantSink& sink) = 0;
+  /// Visits in all.
+  virtual std::size_t visits() const = 0;
+  /// Bytes that it keeps.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// Makes the constants of all links of a tree for the solver of the settings' method, which was chosen for good.
+std::unique_ptr<FactorPass> makeFactors(const Tree& tree, const FactorSettings& settings);
+
+/// All at once.
+void factorise(const FactorInput& input, ConstantSink& sink);
 
 }  // namespace windfall::sim

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <numbers>
@@ -132,6 +133,50 @@ std::vector<Contender> liveContenders() {
   return {whole, shown};
 }
 
+/// Steps of a wind that goes from a breath to a storm and back every eight seconds, so that the constants which depend
+/// on its level are made anew each second.
+std::vector<Contender> gustContenders(const SampleTreeSettings& sample, double seconds) {
+  const auto scene = std::make_shared<Scene>(sample);
+  WindSettings gusts{.speed = 15};
+  gusts.course = WindCourse::Curve;
+  gusts.curve = {{0, 0.07f, 0}, {4, 2, 0}, {8, 0.07f, 0}};
+  const auto minute = [scene, gusts, seconds](const std::string& name, int threads, bool atOnce) {
+    const std::shared_ptr<TreeField> field = fieldOf(*scene, TreeMethod::Coupled, threads);
+    const auto wind = std::make_shared<WindField>(vec3(-8, 0, -8), vec3(8, 12, 8), gusts, threads);
+    Contender contender{name + ", " + threadsOf(threads), nullptr};
+    contender.profile = [field, wind, seconds, atOnce] {
+      FactorSettings settings = field->settings();
+      settings.windSpeed = static_cast<double>(wind->level(0));
+      field->factorise(settings);
+      field->reset();
+      wind->restore({});
+      std::vector<double> times;
+      for (int i = 0; i < static_cast<int>(60 * seconds); ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        settings.windSpeed = static_cast<double>(wind->level(i / 60.0));
+        if (settings.windSpeed != field->settings().windSpeed) {
+          if (atOnce) {
+            field->factorise(settings);
+          } else {
+            field->renew(settings, field->lostArea());
+          }
+        }
+        wind->advance((i + 0.5) / 60);
+        field->step(wind->view());
+        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      }
+      return times;
+    };
+    return contender;
+  };
+  std::vector<Contender> all{minute("constants beside the steps", 1, false)};
+  if (const int threads = omp_get_max_threads(); threads > 1) {
+    all.push_back(minute("constants beside the steps", threads, false));
+  }
+  all.push_back(minute("constants in one step (baseline)", 1, true));
+  return all;
+}
+
 std::vector<Contender> windContenders() {
   auto field = std::make_shared<WindField>(vec3(-8, 0, -8), vec3(8, 12, 8), WindSettings{}, 1);
   auto time = std::make_shared<double>(0);
@@ -192,6 +237,10 @@ std::vector<Benchmark> treeBenchmarks() {
           step("tree-conifer-10k", "a step of a conifer of 9,600 links, 313 deep", coniferOf(10'000), false),
           step("tree-conifer-100k", "a step of a conifer of 100,800 links, 313 deep", coniferOf(100'000), false),
           step("tree-conifer-1m", "a step of a conifer of 996,300 links, 313 deep", coniferOf(1'000'000), false),
+          {"tree-gusts-10k", "steps of a gusty minute, wind, constants and all, of 9,562 links", "ms per step", 1e3,
+           [] { return gustContenders(broadleafOf(10'000), 60); }},
+          {"tree-gusts-100k", "steps of ten gusty seconds, wind, constants and all, of 99,680 links", "ms per step",
+           1e3, [] { return gustContenders(broadleafOf(100'000), 10); }},
           {"tree-live", "a step of the live window with 9,562 links", "ms per step", 1e3, liveContenders},
           {"wind", "the wind around a tree, brought to the next step", "ns per place and step", 1e9, windContenders},
           {"tree-factor", "new stiffness or wind level of a broadleaf of 9,562 links", "ns per link", 1e9,

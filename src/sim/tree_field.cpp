@@ -32,8 +32,6 @@ const LinkPasses& passesOf(const FactorSettings& settings) {
   return usesAxes(settings) ? loops.axis : loops.modal;
 }
 
-bool isModal(TreeMethod method) { return method == TreeMethod::Analytic || method == TreeMethod::Literal; }
-
 }  // namespace
 
 TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads, const FieldCut& cut)
@@ -60,21 +58,20 @@ TreeField::TreeField(std::vector<TreeInstance> trees, const FactorSettings& sett
   before_.resize(slots_.rows);
   after_.resize(slots_.rows);
   inertia_.resize(settings.method == TreeMethod::Coupled ? size() : 0);
-  // Slots without a link divide by their stiffness too.
-  for (std::uint32_t slot = 0; slot < count; ++slot) {
-    if (slots_.link[slot] < slots_.links) continue;
-    const SlotFields<float> fields = fieldsOf(constants_.data(), constantFields_, slot);
-    for (const std::uint32_t one : {std::uint32_t{kBending}, std::uint32_t{kTwist}, kRestTurn + 3u}) fields.put(one, 1);
-    if (isModal(settings.method)) {
-      for (std::uint32_t a = 0; a < 3; ++a) fields.put(kSquares + a, 1);
-    } else if (settings.method == TreeMethod::Forces) {
-      fields.put(kInertia, 1);
-      fields.put(kTwistInertia, 1);
+  nextConstants_ = constants_;
+  nextInertia_ = inertia_;
+  initialise(constants_);
+  initialise(nextConstants_);
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    if (slots_.link[slot] >= slots_.links) {
+      fieldsOf(state_.data(), stateFields_, static_cast<std::uint32_t>(slot)).put(kTurn + 3, 1);
     }
-    fieldsOf(state_.data(), stateFields_, slot).put(kTurn + 3, 1);
   }
   lostArea_.resize(size());
+  nextLostArea_.resize(size());
+  made_.resize(trees_.size());
   for (const TreeInstance& instance : trees_) {
+    factors_.push_back(makeFactors(*instance.tree, settings));
     frequencies_.push_back(settings.frequency > 0 ? settings.frequency : firstFrequency(*instance.tree));
   }
   factorise(settings);
@@ -97,44 +94,6 @@ void TreeField::findBases() {
     }
   }
   for (const std::uint32_t row : slots_.link) bases_.push_back(row < slots_.links ? ofLink[row] : row);
-}
-
-void TreeField::factoriseTree(std::size_t instance) {
-  const Tree& tree = *trees_[instance].tree;
-  const std::size_t first = firstLinks_[instance], count = tree.links.size();
-  const std::vector<LinkBody> bodies =
-      bodiesOf(tree, trees_[instance].placement, std::span<const float>(lostArea_).subspan(first, count));
-  const auto sink = [&](std::size_t link, std::span<const double> constants) {
-    const SlotFields<float> fields = fieldsOf(constants_.data(), constantFields_, slots_.slot[first + link]);
-    for (std::uint32_t f = 0; f < constantFields_; ++f) fields.put(f, static_cast<float>(constants[f]));
-  };
-  windfall::sim::factorise(bodies, frequencies_[instance], settings_, sink,
-                           inertia_.empty() ? std::span<LinkInertia>() : std::span(inertia_).subspan(first, count));
-}
-
-void TreeField::factorise(const FactorSettings& settings) {
-  // The method was chosen once: it decides what is stored.
-  const TreeMethod method = settings_.method;
-  const bool axisMotion = settings_.axisMotion;
-  settings_ = settings;
-  settings_.method = method;
-  settings_.axisMotion = axisMotion;
-  ++revision_;
-  const auto count = static_cast<std::ptrdiff_t>(trees_.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads_) if (count > 1)
-  for (std::ptrdiff_t t = 0; t < count; ++t) factoriseTree(static_cast<std::size_t>(t));
-}
-
-void TreeField::setLostArea(std::span<const float> area) {
-  std::copy(area.begin(), area.end(), lostArea_.begin());
-  factorise(settings_);
-}
-
-void TreeField::setTree(std::size_t instance, std::shared_ptr<const Tree> tree) {
-  trees_[instance].tree = std::move(tree);
-  frequencies_[instance] = settings_.frequency > 0 ? settings_.frequency : firstFrequency(*trees_[instance].tree);
-  ++revision_;
-  factoriseTree(instance);
 }
 
 float TreeField::constant(std::size_t link, std::uint32_t field) const {
@@ -197,13 +156,7 @@ void TreeField::pose() {
     state.velocity = vec3(pose.velocity.x, pose.velocity.y, pose.velocity.z);
     state.angularVelocity = vec3(pose.spin.x, pose.spin.y, pose.spin.z);
     if (isModal(settings_.method)) {
-      // U^T K U is one, so y = U^T K theta.
-      const float k = constant.get(kBending), t = constant.get(kTwist);
-      for (std::uint32_t a = 0; a < 3; ++a) {
-        const V3<float> u = vectorAt<float>(constant, kModes + 3 * a);
-        own.put(kMode + a, u.x * k * angle.x + u.y * k * angle.y + u.z * t * angle.z);
-        own.put(kModeSpeed + a, u.x * k * speed.x + u.y * k * speed.y + u.z * t * speed.z);
-      }
+      toModes(i);
     } else if (settings_.method == TreeMethod::Coupled) {
       V3<float> spin = speed, velocity{0, 0, 0};
       if (!root) {
@@ -312,12 +265,19 @@ void TreeField::sampleAir(const WindView& wind) {
   links.before = reinterpret_cast<const float*>(after_.data());
   follow(wind.pull);
   const LinkAir sample = linkLoops().air;
+  // Pieces of constants first: they take longer than a part's air.
+  const auto pieces = static_cast<std::ptrdiff_t>(renewing_ ? trees_.size() : 0);
   const auto parts = static_cast<std::ptrdiff_t>(slots_.parts.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_) if (parts > 3)
-  for (std::ptrdiff_t p = 0; p < parts; ++p) {
+  for (std::ptrdiff_t p = -pieces; p < parts; ++p) {
+    if (p < 0) {
+      renewOn(static_cast<std::size_t>(-p - 1));
+      continue;
+    }
     const Part part = slots_.parts[static_cast<std::size_t>(p)];
     sample(links, wind, part.begin, part.end, air_.data());
   }
+  if (renewing_) takeFactors();
 }
 
 void TreeField::crossTop(const LinkSlots<float>& links, const LinkStep<float>& step) {
@@ -411,8 +371,11 @@ float TreeField::largestAngle() const {
 
 std::size_t TreeField::bytes() const {
   const auto of = [](const auto& v) { return v.size() * sizeof(v[0]); };
-  return of(constants_) + of(state_) + of(air_) + of(sums_) + of(moves_) + of(before_) + of(after_) + of(slots_.link) +
-         of(slots_.parent) + of(slots_.target);
+  std::size_t sum = of(constants_) + of(state_) + of(air_) + of(sums_) + of(moves_) + of(before_) + of(after_) +
+                    of(slots_.link) + of(slots_.parent) + of(slots_.target) + of(nextConstants_) + of(inertia_) +
+                    of(nextInertia_) + of(lostArea_) + of(nextLostArea_);
+  for (const std::unique_ptr<FactorPass>& factors : factors_) sum += factors->bytes();
+  return sum;
 }
 
 }  // namespace windfall::sim

@@ -36,6 +36,9 @@ inline bool usesAxes(const FactorSettings& settings) {
   return settings.method == TreeMethod::Analytic && settings.axisMotion;
 }
 
+/// Whether joints are oscillators of their own modes.
+inline bool isModal(TreeMethod method) { return method == TreeMethod::Analytic || method == TreeMethod::Literal; }
+
 /// How the links are cut; see Arrangement.
 struct FieldCut {
   std::uint32_t treelet = 512;  ///< links of a subtree that is not cut further, at most
@@ -49,12 +52,32 @@ class TreeField {
   /// The trees have no problem (problemOf).
   TreeField(std::vector<TreeInstance> trees, const FactorSettings& settings, int threads, const FieldCut& cut = {});
 
-  /// Takes over new settings, fallen leaves (m2 a link) or trees of the same links; the motion goes on.
+  /// Takes over new settings, fallen leaves (m2 a link) or trees of the same links at once; the motion goes on.
   void factorise(const FactorSettings& settings);
   void setLostArea(std::span<const float> area);
   std::span<const float> lostArea() const { return lostArea_; }
   void setTree(std::size_t instance, std::shared_ptr<const Tree> tree);
   const FactorSettings& settings() const { return settings_; }
+
+  /// Another wind, or leaves that have fallen by now: the constants are made anew beside the steps to come, a piece in
+  /// each, and taken all at once at the end of at most kFactorSteps; the count depends on the trees alone. While that
+  /// goes on another call does nothing.
+  void renew(const FactorSettings& settings, std::span<const float> lostArea);
+  bool isRenewing() const { return renewing_; }
+  static constexpr std::size_t kFactorSteps = 30;
+  /// The next piece by itself; `sampleAir` makes it too.
+  void renewOn();
+
+  /// What of that a saved state keeps.
+  struct Renewal {
+    double windSpeed = 0, direction[3] = {1, 0, 0};          ///< of the constants in use
+    double nextWindSpeed = 0, nextDirection[3] = {1, 0, 0};  ///< of those being made
+    std::int64_t pieces = -1;                                ///< made of them; -1: none are
+  };
+  Renewal renewal() const;
+  std::span<const float> nextLostArea() const { return renewing_ ? nextLostArea_ : lostArea_; }
+  /// Goes on from there; the other settings stay.
+  void resume(const Renewal& saved, std::span<const float> lostArea, std::span<const float> nextLostArea);
   double frequency(std::size_t instance) const { return frequencies_[instance]; }  ///< first frequency, Hz
 
   void reset();
@@ -94,7 +117,7 @@ class TreeField {
   double kineticEnergy() const;  ///< J, of the linear system
   double elasticEnergy() const;  ///< J
   float largestAngle() const;    ///< rad
-  /// Bytes of all arrays that a step reads or writes.
+  /// Bytes of all arrays, those from which constants are made anew among them.
   std::size_t bytes() const;
 
   /// What a device needs to do the step in the place of `solve`. `outside`: the forces as rows of sums; empty where
@@ -116,7 +139,14 @@ class TreeField {
   void takeStep(AlignedVector<float>& state, AlignedVector<LinkState>& now);
 
  private:
+  class Sink;
+  void initialise(AlignedVector<float>& constants);
+  FactorInput inputOf(std::size_t instance, const FactorSettings& settings, std::span<const float> lostArea) const;
   void factoriseTree(std::size_t instance);
+  void beginRenewal();
+  bool renewOn(std::size_t instance);
+  void takeFactors();
+  void toModes(std::size_t link);
   void findBases();
   void addForces();
   void addForce(const LinkForce& force);
@@ -135,12 +165,23 @@ class TreeField {
   AlignedVector<float> constants_, state_, air_, sums_, moves_;
   AlignedVector<LinkState> before_, after_;
   std::vector<LinkInertia> inertia_;
+  std::vector<std::unique_ptr<FactorPass>> factors_;  ///< of each tree
   std::span<const LinkForce> forces_;
   LinkForce pull_;
   bool forced_ = false;  ///< sums_ holds loads from outside
   std::uint64_t revision_ = 0;
   std::vector<double> frequencies_;  ///< of each tree as it was set, Hz
   std::vector<float> lostArea_;      ///< of each link's leaves, as factorised, m2
+
+  // Constants that are being made.
+  bool renewing_ = false;
+  std::int64_t pieces_ = 0;  ///< made of them
+  std::size_t pieceSteps_ = 1;
+  FactorSettings nextSettings_;
+  std::vector<float> nextLostArea_;
+  AlignedVector<float> nextConstants_;
+  std::vector<LinkInertia> nextInertia_;
+  std::vector<char> made_;  ///< whether each tree's are
 };
 
 }  // namespace windfall::sim

@@ -54,12 +54,8 @@ class ExactTree {
     }
     begin_[count_] = static_cast<std::uint32_t>(children_.size());
     const double frequency = settings.frequency > 0 ? settings.frequency : sim::firstFrequency(bodies_);
-    std::vector<sim::LinkInertia> inertias(count_);
-    const auto sink = [&](std::size_t link, std::span<const double> constants) {
-      const auto fields = fieldsOf(constants_.data(), constantFields_, static_cast<std::uint32_t>(link));
-      for (std::uint32_t f = 0; f < constantFields_; ++f) fields.put(f, constants[f]);
-    };
-    sim::factorise(bodies_, frequency, settings, sink, inertias);
+    Sink sink(*this);
+    sim::factorise({&tree, {}, {}, frequency, settings}, sink);
     const std::vector<sim::Composite> composites = sim::compositesOf(bodies_);
     for (std::size_t i = 0; i < count_; ++i) {
       floor_.push_back(settings.twistFloor ? sim::twistFloor(bodies_[i], composites[i]) : 0);
@@ -163,6 +159,21 @@ class ExactTree {
   }
 
  private:
+  class Sink final : public sim::ConstantSink {
+   public:
+    explicit Sink(ExactTree& tree) : tree_(tree) {}
+    void put(std::size_t link, std::uint32_t first, std::span<const double> constants) override {
+      const auto fields = fieldsOf(tree_.constants_.data(), tree_.constantFields_, static_cast<std::uint32_t>(link));
+      for (std::uint32_t f = 0; f < constants.size() && first + f < tree_.constantFields_; ++f) {
+        fields.put(first + f, constants[f]);
+      }
+    }
+    void put(std::size_t, const sim::LinkInertia&) override {}
+
+   private:
+    ExactTree& tree_;
+  };
+
   template <class Solver>
   void layOut() {
     constantFields_ = Solver::kConstants;

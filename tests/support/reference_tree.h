@@ -29,12 +29,12 @@ class ReferenceTree {
       : settings_(settings),
         brake_(brake),
         bodies_(sim::bodiesOf(tree)),
-        rest_(sim::restLoads(bodies_, settings).preStress),
         tree_(bodies_, 2 * settings.dampingRatio / (2 * std::numbers::pi * sim::firstFrequency(bodies_))),
         spin_(bodies_.size()),
         velocity_(bodies_.size()) {
     const std::vector<sim::Composite> composites = sim::compositesOf(bodies_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      rest_.push_back(glm::transpose(bodies_[i].axes) * glm::cross(composites[i].moment, settings.gravity));
       slope_.push_back(sim::dragSlope(bodies_[i], settings));
       if (settings.twistFloor) tree_.parts()[i].rotor.z = sim::twistFloor(bodies_[i], composites[i]);
     }
@@ -58,6 +58,7 @@ class ReferenceTree {
   }
 
   glm::dvec3 place(std::size_t i) const { return part(i).position; }
+  glm::dquat turn(std::size_t i) const { return part(i).rotation; }  ///< link to world
   glm::dvec3 tip(std::size_t i) const {
     return part(i).position + part(i).rotation * glm::dvec3(0, 0, 2 * part(i).half);
   }

@@ -217,7 +217,8 @@ TEST_CASE("every instruction set gives the same bits") {
     for (int i = 0; i < 5; ++i) start.step(wind.view());
     std::vector<float> first;
     for (int k = 0; k < list.count; ++k) {
-      TreeField field = start;
+      TreeField field(description.trees, settings, 1);
+      field.setState(start.state(), start.previous(), start.current());
       field.sampleAir(wind.view());
       const LinkSlots<float> view = field.view();
       const LinkPasses passes = method == TreeMethod::Coupled    ? list.all[k]->coupled
