@@ -16,7 +16,7 @@ struct FactorSettings {
   TreeMethod method = TreeMethod::Coupled;
   double h = 1.0 / 60;              ///< s
   double implicitness = 0.6;        ///< theta of 6.1
-  double dampingRatio = 0.03;       ///< structural: of the first mode (coupled, moving bases), of each joint
+  double dampingRatio = 0.03;       ///< structural: of the first mode; of each joint (literal, forces)
   double frequency = 0;             ///< above 0: taken for every tree's first in the place of its own, Hz
   bool compensate = true;           ///< numerical damping is taken off the structural one
   glm::dvec3 gravity{0, -9.81, 0};  ///< m/s2

@@ -19,12 +19,12 @@ using glm::dvec3;
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Half the structural damping of a mode, 1/s. Each joint has the same ratio (2.3) but where bases move: there twigs of
-/// so little damping would ring with every tremor of what they grow from, so damping follows the stiffness as it does
-/// in the coupled solver and in wood, and twigs have more of it than the trunk.
+/// Half the structural damping of a mode, 1/s. It follows the stiffness as in the coupled solver and in wood, so that
+/// twigs have more of it than the trunk: with one ratio for every joint (2.3) they ring with every tremor of what they
+/// grow from, and flutter in storms (tests V7, V8). The published form has one ratio.
 double structuralDamping(double lambda, const FactorInput& input) {
   const double ratio = input.settings.dampingRatio;
-  if (!input.settings.axisMotion || !(input.frequency > 0)) return ratio * std::sqrt(lambda);
+  if (input.settings.method == TreeMethod::Literal || !(input.frequency > 0)) return ratio * std::sqrt(lambda);
   return 0.5 * lambda * 2 * ratio / (2 * std::numbers::pi * input.frequency);
 }
 
