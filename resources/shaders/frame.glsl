@@ -67,6 +67,8 @@ float sunVisibility(vec3 position, vec3 normal, float softness) {
     }
   }
   lit /= 16.0;
+#elif defined(ONE_TAP)
+  float lit = texture(shadowMap, at);
 #else
   float lit = 0.25 * (texture(shadowMap, vec3(at.xy + vec2(-0.6, -0.25) * texel, at.z)) +
                       texture(shadowMap, vec3(at.xy + vec2(0.25, -0.6) * texel, at.z)) +

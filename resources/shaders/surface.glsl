@@ -25,6 +25,12 @@ float specular(vec3 normal, vec3 view, float roughness) {
   return a2 / (kPi * d * d) * fresnel * 0.25 / max(mix(nl, 1.0, a) * mix(nv, 1.0, a), 0.05) * nl;
 }
 
+// Chosen links: the accent over the surface, brighter towards the silhouette.
+vec3 accented(vec3 light, vec3 normal, vec3 view, float chosen) {
+  float rim = pow(1.0 - abs(dot(normal, view)), 2.0);
+  return mix(light, accent.rgb * (0.55 * dot(light, vec3(0.33)) + 0.35 + 1.1 * rim), chosen * accent.w);
+}
+
 // `around` is the diffuse light from sky and ground on that side, less what crowns hold back.
 vec3 woodLight(vec3 albedo, vec3 around, vec3 position, vec3 normal, vec3 smoothNormal, vec3 view, float roughness) {
   vec3 sun = sunColor.rgb * sunVisibility(position, smoothNormal, 1.2);

@@ -1,5 +1,6 @@
 #include "frame.glsl"
 #include "surface.glsl"
+#include "wood.glsl"
 layout(location = 0) in vec3 worldPosition;
 layout(location = 1) centroid in vec3 worldNormal;
 layout(location = 2) in vec2 textureUv;
@@ -77,9 +78,6 @@ void main() {
   vec3 view = normalize(eye.xyz - worldPosition);
 #ifdef FOLIAGE
   vec4 texel = pictured ? texture(picture, textureUv) : vec4(1.0);
-#elif defined(THIN)
-  // Narrower than two pixels: nothing of a picture can be seen but its mean.
-  vec4 texel = meanColor;
 #else
   vec4 texel = pictured ? barkPicture() : vec4(1.0);
 #endif
@@ -92,31 +90,19 @@ void main() {
   normal = front ? normal : -normal;
   vec3 light = foliageLight(albedo, front ? around : behind, front ? behind : around, worldPosition, normal, view, look.x);
 #else
-  // Where there is no wood yet, a green skin with what is left of the bark's grain.
-  float grain = dot(texel.rgb, vec3(0.33));
-  albedo = mix(vec3(0.13, 0.20, 0.045) * (0.7 + 0.9 * grain), albedo, barkTint.a) * barkTint.rgb;
 #ifdef LAYERED
-  // As light as barkRelief leaves it on a mean.
-  albedo = mix(albedo, twigColor * 0.65, twig);
-#endif
-  // Data instead of bark: the colours of the legend, with a hint of the relief.
-  if (dataColor.a > 0.0) {
-    albedo = mix(albedo, pow(max(dataColor.rgb, vec3(0.0)), vec3(2.2)) * (0.75 + 0.5 * grain), min(dataColor.a, 1.0));
-  }
-  vec3 smoothNormal = normal;
-#ifdef THIN
-  if (!pictured) albedo *= 0.65;
+  albedo = woodAlbedo(albedo, texel.rgb, barkTint, dataColor, twigColor, twig);
 #else
+  albedo = woodAlbedo(albedo, texel.rgb, barkTint, dataColor, vec3(0.0), 0.0);
+#endif
+  vec3 smoothNormal = normal;
   vec2 bark = pictured ? vec2(dot(texel.rgb, vec3(0.33)), 0.5) : barkRelief(restPosition, restNormal);
   // Nearer than the noise is fine, its texels would show as facets.
   float pixel = length(dFdx(worldPosition)) + length(dFdy(worldPosition));
   normal = bumped(normal, worldPosition, bark.x * look.w * smoothstep(0.0004, 0.004, pixel));
   if (!pictured) albedo *= mix(0.28, 1.5, bark.x * bark.x) * mix(0.75, 1.2, bark.y);
-#endif
   vec3 light = woodLight(albedo, around, worldPosition, normal, smoothNormal, view, look.x);
 #endif
-  // Chosen links: the accent over the surface, brighter towards the silhouette.
-  float rim = pow(1.0 - abs(dot(normal, view)), 2.0);
-  light = mix(light, accent.rgb * (0.55 * dot(light, vec3(0.33)) + 0.35 + 1.1 * rim), highlight * accent.w);
+  light = accented(light, normal, view, highlight);
   color = vec4(mix(light, air.rgb, air.a), alpha);
 }

@@ -121,8 +121,8 @@ Status DetailPass::compile() {
         take(wood_[1][0], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED"})),
         take(wood_[0][1], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED", "PICTURED"})),
         take(wood_[1][1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED", "PICTURED"})),
-        take(thin_[0], linkProgram("detail.vert", "tree.frag", {"STANDARD_QUALITY", "LAYERED", "THIN"})),
-        take(thin_[1], linkProgram("detail.vert", "tree.frag", {"HIGH_QUALITY", "LAYERED", "THIN"})),
+        take(thin_[0], linkProgram("detail.vert", "detail_thin.frag", {"STANDARD_QUALITY", "THIN"})),
+        take(thin_[1], linkProgram("detail.vert", "detail_thin.frag", {"HIGH_QUALITY", "THIN"})),
         take(shadow_, linkProgram("detail_shadow.vert", "detail_shadow.frag")),
         take(skin_, linkCompute("detail_skin.comp")), take(count_, linkCompute("detail_count.comp")),
         take(offset_, linkCompute("detail_offset.comp")), take(list_, linkCompute("detail_list.comp"))}) {
@@ -318,11 +318,14 @@ int DetailPass::draw(bool highQuality) {
   if (trees_.empty()) return 0;
   Lists& chosen = lists(Target::Picture);
   barks_.bind();
+  // Stems are closed: their far sides are behind the near ones.
+  glEnable(GL_CULL_FACE);
   // The grids of three sides come first; nobody sees a picture on them.
   glUseProgram(thin_[highQuality ? 1 : 0].id());
   drawGrids(chosen, 0, kDetailAxial);
   glUseProgram(wood_[highQuality ? 1 : 0][barks_.allPictured ? 1 : 0].id());
   drawGrids(chosen, kDetailAxial, kDetailGrids);
+  glDisable(GL_CULL_FACE);
   fence(chosen);
   return 2;
 }

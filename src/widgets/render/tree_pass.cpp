@@ -225,11 +225,14 @@ int TreePass::draw(bool highQuality, bool adaptive) const {
       } else {
         glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
       }
+      // What was made from a skeleton is closed.
+      (part.adaptive ? glEnable : glDisable)(GL_CULL_FACE);
       glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
                               indexOffset(part.firstIndex), mesh.instanceCount);
       ++calls;
     }
   }
+  glDisable(GL_CULL_FACE);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   return calls;
 }
