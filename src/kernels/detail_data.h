@@ -37,6 +37,7 @@ static_assert(sizeof(DetailRing) == 80);
 /// 4, 8 pieces), then 15 bits each for the speed of its cubic at either end, in chords, 0 to 4.
 constexpr std::uint32_t detailShape(std::uint32_t axial, float speedA, float speedB) {
   const auto bits = [](float speed) {
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative, and constant expressions know no lround
     return static_cast<std::uint32_t>((speed < 0 ? 0 : speed > 3.999f ? 3.999f : speed) * 8192 + 0.5f);
   };
   return (axial & 3u) | bits(speedA) << 2 | bits(speedB) << 17;
