@@ -92,6 +92,7 @@ std::string benchmarkJson(const std::vector<BenchmarkResult>& results) {
       const ContenderResult& row = result.contenders[c];
       json += std::string(c ? "," : "") + "\n      {\"name\": " + quoted(row.name) +
               ", \"least\": " + number("%.6g", row.least) + ", \"median\": " + number("%.6g", row.median) +
+              (row.worst > 0 ? ", \"worst\": " + number("%.6g", row.worst) : "") +
               (row.note.empty() ? "" : ", \"note\": " + quoted(row.note)) + "}";
     }
     json += "\n    ]}";

@@ -69,7 +69,8 @@ bool runCompanion(const QString& program, const BenchOptions& options, std::vect
     for (const QJsonValue& row : one[QLatin1String("contenders")].toArray()) {
       const QJsonObject r = row.toObject();
       result.contenders.push_back({string(r, "name"), r[QLatin1String("least")].toDouble(),
-                                   r[QLatin1String("median")].toDouble(), string(r, "note")});
+                                   r[QLatin1String("median")].toDouble(), r[QLatin1String("worst")].toDouble(),
+                                   string(r, "note")});
     }
     results.push_back(std::move(result));
   }

@@ -213,8 +213,8 @@ Result<sim::BenchmarkResult> benchFirstPicture(int rounds) {
     char note[96];
     std::snprintf(note, sizeof note, "memory at most %.0f MB", lines.front().toDouble());
     const std::string name = adaptive ? "50,000 organs, adaptive wood" : "50,000 organs, whole mesh";
-    result.contenders.push_back({name, first.front(), first[first.size() / 2], note});
-    result.contenders.push_back({name + ", fine", fine.front(), fine[fine.size() / 2], {}});
+    result.contenders.push_back({name, first.front(), first[first.size() / 2], 0, note});
+    result.contenders.push_back({name + ", fine", fine.front(), fine[fine.size() / 2], 0, {}});
   }
   return result;
 }
