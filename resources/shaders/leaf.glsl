@@ -5,6 +5,9 @@ layout(location = 1) in vec2 ribAndLevel;
 layout(location = 2) in vec2 corner;     // shares of the picture
 layout(location = 3) in uint listed;
 layout(location = 1) uniform float season;
+#ifndef BAKE
+#include "leaf_cards.glsl"
+#endif
 
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
@@ -15,6 +18,7 @@ struct LeafPoint {
   vec3 age;  // fading, reddening, browning
   float tint;
   uint layer, state;
+  float fade;  // how far a card has taken its place
 };
 
 // Model's ageOfRank: the leaf's place among all by how early it turns.
@@ -22,9 +26,14 @@ vec3 ageOf(uint layer, LeafInstance leaf) {
   float at = clamp(season, 0.0, 1.0) * 16.0;
   uint low = uint(min(at, 15.0));
   vec4 shares = mix(layers[layer].seasons[low], layers[layer].seasons[low + 1u], at - float(low));
-  float rank = float(leafBits(leafIndex) >> 8u) / 16777216.0;
+#ifdef BAKE
+  uint number = leaf.layerAndState.y, state = kAttached;
+#else
+  uint number = leafIndex, state = leaf.layerAndState.y;
+#endif
+  float rank = float(leafBits(number) >> 8u) / 16777216.0;
   // What has come off is what had turned.
-  if (leaf.layerAndState.y != kAttached) rank = mix(rank, 1.0, 0.35);
+  if (state != kAttached) rank = mix(rank, 1.0, 0.35);
   vec3 limit = vec3(shares.x, shares.x + shares.y, shares.x + shares.y + shares.z);
   vec3 t = clamp((rank - limit) / vec3(0.2, 0.2, 0.3) + 1.0 - limit, 0.0, 1.0);
   t = t * t * (3.0 - 2.0 * t);
@@ -35,9 +44,19 @@ vec3 ageOf(uint layer, LeafInstance leaf) {
 // Model's bendOf and bend (leaf_bend.cpp).
 LeafPoint leafPoint() {
   LeafInstance leaf = leaves[leafIndex];
+#ifdef BAKE
+  // Its own share of dryness stands there (leaf_look.h).
+  leaf.curlAndTint.x = clamp(0.1 + 0.5 * season * season + 0.3 * (leaf.curlAndTint.x - 0.5), 0.0, 1.0);
+#endif
   LeafPoint point;
   point.layer = min(leaf.layerAndState.x, uint(layers.length()) - 1u);
+#ifdef BAKE
+  point.state = kAttached;
+  point.fade = 0.0;
+#else
   point.state = leaf.layerAndState.y;
+  point.fade = cardFade(leafIndex, point.state);
+#endif
   point.tint = leaf.curlAndTint.y;
   point.age = ageOf(point.layer, leaf);
   vec4 shape = layers[point.layer].shape;

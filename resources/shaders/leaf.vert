@@ -9,6 +9,7 @@ layout(location = 5) out vec3 behind;
 layout(location = 6) out vec4 air;
 layout(location = 7) out vec3 worldTangent;
 layout(location = 8) flat out float level;
+layout(location = 9) flat out float fade;
 
 void main() {
   LeafPoint point = leafPoint();
@@ -20,6 +21,7 @@ void main() {
   layerUv = vec3(corner, float(point.layer));
   ageAndTint = vec4(point.age, point.tint);
   level = ribAndLevel.y;
+  fade = point.fade;
   float open = canopyOpenness(worldPosition, worldNormal);
   around = ambientLight(worldNormal) * open;
   behind = ambientLight(-worldNormal) * open;

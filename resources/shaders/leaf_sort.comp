@@ -26,6 +26,10 @@ layout(location = 1) uniform vec4 eyeAndScale;  // position, pixels a radian
 layout(location = 2) uniform uint leafCount;
 layout(location = 3) uniform vec2 thinning;  // pixels below which leaves are thinned, budget of leaves
 
+#ifndef PLAN
+#include "leaf_cards.glsl"
+#endif
+
 const uint kNone = 0xffffffffu;
 const uint kShared = 512u;
 
@@ -61,6 +65,15 @@ uint levelOf(float pixels) { return pixels > 96.0 ? 0u : pixels > 30.0 ? 1u : pi
 uint bucketOf(uint i) {
   if (i >= leafCount || leaves[i].layerAndState.y == kHidden) return kNone;
   uint layerCount = uint(layers.length());
+#ifdef COUNT
+  float fade = cardFade(i, leaves[i].layerAndState.y);
+  if (fade > 0.0) {
+    // Cards thin out as their leaves fall.
+    vec2 size = vec2(1000.0 * leaves[i].placeAndSize.w);
+    atomicAdd(cardStates[leafCards[i]].y, uint(size.x * size.y + 0.5));
+    if (fade >= 1.0) return kNone;
+  }
+#endif
   uint layer = min(leaves[i].layerAndState.x, layerCount - 1u);
   float pixels = pixelsOf(i);
   float scale = scaleOf(i, shareOf(i, pixels, min(1.0, thinning.y * 64.0 / float(max(demand, 1u)))));
@@ -87,7 +100,7 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (gl_LocalInvocationIndex == 0u) wanted = 0u;
   barrier();
-  if (i < leafCount && leaves[i].layerAndState.y != kHidden) {
+  if (i < leafCount && leaves[i].layerAndState.y != kHidden && cardFade(i, leaves[i].layerAndState.y) < 1.0) {
     atomicAdd(wanted, uint(64.0 * shareOf(i, pixelsOf(i), 1.0) + 0.5));
   }
   barrier();

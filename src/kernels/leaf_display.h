@@ -4,6 +4,7 @@
 #include "kernels/leaf_arrays.h"
 #include "kernels/leaf_hang.h"
 #include "kernels/leaf_life.h"
+#include "kernels/leaf_look.h"
 
 namespace windfall {
 
@@ -52,9 +53,8 @@ WINDFALL_HD LeafInstance showLeaf(const LeafArrays& a, std::uint32_t i, const Le
   leaf.rotation = pose.turn;
   leaf.layer = a.layer[i];
   leaf.state = static_cast<std::uint32_t>(state);
-  const float own = static_cast<float>((look >> 16u) & 255u) / 255.0f;
-  leaf.curl = clampTo(0.1f + 0.5f * display.season * display.season + 0.3f * (own - 0.5f), 0.0f, 1.0f);
-  leaf.tint = static_cast<float>((look >> 8u) & 255u) / 127.5f - 1.0f;
+  leaf.curl = leafCurl(leafOwn(look), display.season);
+  leaf.tint = leafTint(look);
   return leaf;
 }
 

@@ -49,7 +49,9 @@ std::vector<LeafPlace> chooseSites(const std::vector<TreeInstance>& trees, std::
       // The site's first leaf is the least k with k * sites / count = site.
       const std::uint64_t first = (chosen * count + sites - 1) / sites;
       const auto copy = count > sites ? static_cast<std::uint32_t>(leaf - first) : 0u;
-      places.push_back({firstLink + link, copy == 0 ? site : movedSite(site, tree.links[link], copy, seed, leaf)});
+      places.push_back({firstLink + link, copy == 0 ? site : movedSite(site, tree.links[link], copy, seed, leaf),
+                        static_cast<std::uint32_t>(&instance - trees.data()),
+                        static_cast<std::uint32_t>(chosen - firstSite)});
     }
     firstLink += static_cast<std::uint32_t>(tree.links.size());
     firstSite = endSite;

@@ -12,6 +12,8 @@ namespace windfall::sim {
 struct LeafPlace {
   std::uint32_t link = 0;  ///< through all instances, in the scene's order
   LeafSite site;
+  std::uint32_t tree = 0;   ///< which of the trees
+  std::uint32_t place = 0;  ///< which of the tree's sites
 };
 
 /// `count` places: a hashed choice, even over the sites, where there are more sites than leaves; else every site in

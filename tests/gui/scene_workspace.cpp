@@ -94,6 +94,35 @@ class SceneWorkspaceTest : public QObject, test::WorkspaceStage<SceneWorkspace> 
     QCOMPARE(workspace_->viewport().drawnFrames(), drawn);
   }
 
+  void cardsOfLeavesAreSetByHandAndUndone() {
+    const auto below = [&] {
+      render::View view;
+      workspace_->controller().describe(view);
+      return view.cardsBelow;
+    };
+    auto* choice = field<ChoiceField>("detail.cards");
+    auto* limit = field<NumberField>("detail.cardsBelow");
+    QVERIFY(!choice->toolTip().isEmpty() && !limit->toolTip().isEmpty());
+    QCOMPARE(below(), 1.5f);
+    limit->box()->setFocus();
+    limit->box()->selectAll();
+    QTest::keyClicks(limit->box(), "3");
+    QTest::keyClick(limit->box(), Qt::Key_Return);
+    QCOMPARE(scene().detail.cardsBelow, 3.0);
+    QCOMPARE(below(), 3.f);
+    choice->box()->setFocus();
+    QTest::keyClick(choice->box(), Qt::Key_Down);
+    QVERIFY(!scene().detail.cards);
+    QCOMPARE(below(), 0.f);
+    document_->undoStack().undo();
+    QVERIFY(scene().detail.cards);
+    QCOMPARE(choice->value(), 0);
+    QCOMPARE(below(), 3.f);
+    document_->undoStack().undo();
+    QCOMPARE(limit->value(), 1.5);
+    QCOMPARE(below(), 1.5f);
+  }
+
   void windFieldReachesTheEngineAndUndoes() {
     auto* speed = field<NumberField>("wind.speed");
     QCOMPARE(speed->value(), 10.0);

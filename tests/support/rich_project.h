@@ -109,7 +109,7 @@ inline model::Project richProject() {
   project.scene.leaves = {12345, 0.9f, 25.5f, 0.08f, true};
   project.scene.solver = {1.f / 120, 0.05f};
   project.scene.light = {200.2, 12.3, 1.5};
-  project.scene.detail = {true, 0.75};
+  project.scene.detail = {true, 0.75, false, 2.5};
   project.scene.seed = 18446744073709551614ULL;
   project.simulation = {17.1, QByteArrayLiteral("\0\1\2 state of links and leaves")};
   project.view.workspace = QStringLiteral("leaf");

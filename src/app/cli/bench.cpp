@@ -13,6 +13,7 @@
 #include <cstdio>
 
 #include "app/cli/commands.h"
+#include "app/cli/foliage_bench.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/plant_bench.h"
 #include "model/leaf/quality_bench.h"
@@ -140,11 +141,19 @@ int bench(const BenchOptions& options) {
     if (!flown) return fail(QString(), flown.error());
     flight = std::move(*flown);
   }
+  std::vector<FoliageRow> foliage;
+  if (std::string("plant.foliage").find(options.filter) != std::string::npos) {
+    any = true;
+    Result<std::vector<FoliageRow>> drawn = benchFoliage(std::min(options.rounds, 5), options.pictures, sayLine);
+    if (!drawn) return fail(QString(), drawn.error());
+    foliage = std::move(*drawn);
+  }
   if (!any) return fail(QString(), QStringLiteral("no benchmark has a name with \"%1\"").arg(text(options.filter)));
   if (options.json.empty()) return 0;
   QSaveFile file(text(options.json));
-  const std::string json = withRows(withRows(sim::benchmarkJson(results), "quality", rows, model::qualityJson),
-                                    "detail", flight, widgets::detailJson);
+  std::string json = withRows(sim::benchmarkJson(results), "quality", rows, model::qualityJson);
+  json = withRows(std::move(json), "detail", flight, widgets::detailJson);
+  json = withRows(std::move(json), "foliage", foliage, foliageJson);
   const bool written =
       file.open(QIODevice::WriteOnly) && file.write(json.data(), static_cast<qint64>(json.size())) >= 0;
   return written && file.commit() ? 0 : fail(text(options.json), file.errorString());
@@ -164,7 +173,7 @@ void declareBench(CLI::App& app, Action& action) {
   command->add_option("--pairs", options->pairs, "leaf.quality: pairs of photographs besides the two named ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command->add_option("--pictures", options->pictures, "plant.detail: keep its frames in this folder");
+  command->add_option("--pictures", options->pictures, "plant.detail, plant.foliage: keep their frames in this folder");
   // How the program asks itself for a project's first picture in a process of its own; of no use to people.
   command->add_option("--first-picture", options->firstPicture)->group("");
   command->add_option("--rounds", options->rounds, "Rounds that each contender runs")->check(CLI::Range(1, 1000));

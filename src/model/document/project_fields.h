@@ -360,6 +360,8 @@ template <class Io>
 void fields(Io& io, typename Io::template Ref<DetailSettings> detail) {
   io.flag("adaptive", detail.adaptive);
   io.number("tolerance", detail.tolerance, 0.1, 4);
+  io.flag("cards", detail.cards);
+  io.number("cardsBelow", detail.cardsBelow, 0.1, 10);
 }
 
 template <class Io>

@@ -57,7 +57,11 @@ class GltfPlant {
     addLevels(mesh);
     if (!model_.leaves.empty()) {
       for (const LeafShape& shape : model_.shapes) leafMaterials_.push_back(addLeafMaterial(shape));
-      if (leaves == LeafExport::Merged) roots_.append(addMergedLeaves());
+      if (leaves == LeafExport::Merged) {
+        const int merged = addMergedLeaves();
+        roots_.append(merged);
+        addCards(merged);
+      }
       if (leaves == LeafExport::Nodes) addLeafNodes();
       if (leaves == LeafExport::Instances) addLeafInstances();
     }
@@ -248,6 +252,32 @@ class GltfPlant {
     }
     const int mesh = out_.add("meshes", {{"name", "leaves"}, {"primitives", primitives}});
     return out_.add("nodes", {{"name", "leaves"}, {"mesh", mesh}, {"skin", 0}});
+  }
+
+  /// What the merged leaves are from afar.
+  void addCards(int leaves) {
+    const LeafCards& cards = model_.cards;
+    if (cards.indices.empty()) return;
+    Material look;
+    look.name = QStringLiteral("leaf cards");
+    look.baseColor = vec4(1);
+    look.texture = cards.image;
+    look.roughness = 0.7f;
+    look.leaf = look.doubleSided = true;
+    SkinnedArrays arrays;
+    arrays.positions = cards.positions;
+    arrays.normals = cards.normals;
+    arrays.uvs = cards.uvs;
+    for (const int bone : cards.bones) {
+      append(arrays.weights, vec4(1, 0, 0, 0));
+      for (const int joint : {bone, 0, 0, 0}) arrays.joints.push_back(static_cast<std::uint16_t>(joint));
+    }
+    const QJsonArray primitives{primitive(arrays, cards.indices, addMaterial(look), false)};
+    const int mesh = out_.add("meshes", {{"name", "leaf cards"}, {"primitives", primitives}});
+    const int node = out_.add("nodes", {{"name", "leaf cards"}, {"mesh", mesh}, {"skin", 0}});
+    out_.at("nodes", leaves)["extensions"] = QJsonObject{{"MSFT_lod", QJsonObject{{"ids", QJsonArray{node}}}}};
+    out_.at("nodes", leaves)["extras"] = QJsonObject{{"MSFT_screencoverage", QJsonArray{0.15, 0.01}}};
+    out_.useExtension("MSFT_lod");
   }
 
   /// A mesh for each shape that is used.

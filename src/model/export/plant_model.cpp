@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/export/leaf_cards.h"
 #include "model/leaf/ageing.h"
 #include "model/leaf/leaf_mesh.h"
 #include "model/plant/bodies.h"
@@ -103,6 +104,22 @@ void placeSites(const PlantBodies& bodies, PlantGeometry& geometry) {
   }
 }
 
+/// Clusters of the leaves for crossed cards; the bones that carry them are appended as further sites.
+std::vector<CardPlace> clustersOf(const PlantBodies& bodies, PlantGeometry& geometry) {
+  sim::ClusterLimits limits;
+  limits.reach = 9;
+  limits.sites = 200;
+  limits.most = 90;
+  const sim::LeafClusters clusters = sim::clusterLeaves(bodies.tree, limits);
+  std::vector<CardPlace> places = clusters.nodes.empty() ? std::vector<CardPlace>() : cardPlaces(clusters);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    sim::LeafSite site;
+    site.link = bodies.boneOfLink[at(clusters.nodes[clusters.boughs + i].link)];
+    geometry.leafSites.push_back(site);
+  }
+  return places;
+}
+
 Result<PlantGeometry> load(Plant plant, double detail, Progress& progress) {
   plant.surface.bakeRepeats = true;
   if (detail >= 0) plant.surface.detail = detail;
@@ -130,11 +147,14 @@ Result<PlantModel> modelOf(const Project& project, AssetId id, const PlantExport
     model.clips.push_back(clip);
   }
   dropHidden(model.geometry);
+  std::vector<CardPlace> cards;
   if (options.leaves != LeafExport::None) {
     const Project own = alone(project, *plant);
     const LayerPlan plan = planLayers(own);
     const LayerRange range = plan.ofPlant.at(id);
-    placeSites(buildBodies(model.geometry, *plant, range.first, range.count), model.geometry);
+    const PlantBodies bodies = buildBodies(model.geometry, *plant, range.first, range.count);
+    placeSites(bodies, model.geometry);
+    if (options.levels > 1) cards = clustersOf(bodies, model.geometry);
     Result<std::vector<LeafTexture>> textures = makeLayers(own, plan, leaves);
     if (!textures) return about(textures.error());
     const std::size_t level = levelOf(options, model.geometry.leafSites.size());
@@ -155,12 +175,17 @@ Result<PlantModel> modelOf(const Project& project, AssetId id, const PlantExport
     model.coarser.push_back(std::move(*coarser));
   }
   reduceBones(model.geometry, model.clips, options.bones);
+  // The last sites say which bones carry the cards.
+  const std::size_t leafCount = model.geometry.leafSites.size() - cards.size();
+  for (std::size_t i = 0; i < cards.size(); ++i) cards[i].bone = model.geometry.leafSites[leafCount + i].link;
+  model.geometry.leafSites.resize(leafCount);
   for (const sim::LeafSite& site : model.geometry.leafSites) {
     const Bone& bone = model.geometry.bones[at(site.link)];
     const quat frame = alongZ(bone.tail - bone.head);
     model.leaves.push_back({site.link, static_cast<int>(site.layer), bone.head + frame * site.position,
                             glm::normalize(frame * site.rotation), site.size});
   }
+  model.cards = paintCards(model.shapes, model.leaves, cards);
   progress.report(0.9);
   return model;
 }

@@ -51,12 +51,22 @@ struct PlacedLeaf {
   float size = 0;  ///< m
 };
 
+/// Crossed cards of clusters of leaves, rest pose, plant space (leaf_cards.h).
+struct LeafCards {
+  QImage image;
+  std::vector<vec3> positions, normals;
+  std::vector<vec2> uvs;
+  std::vector<int> bones;  ///< of each vertex
+  std::vector<std::uint32_t> indices;
+};
+
 struct PlantModel {
   QString name;
   PlantGeometry geometry;              ///< what is hidden is gone; texture coordinates need no shader
   std::vector<PlantGeometry> coarser;  ///< further levels: vertices, indices, parts
   std::vector<LeafShape> shapes;
   std::vector<PlacedLeaf> leaves;
+  LeafCards cards;  ///< what the leaves are from afar, where levels are asked for
   std::vector<Clip> clips;
 };
 

@@ -30,8 +30,10 @@ struct Light {
 
 /// How finely trees are drawn.
 struct DetailSettings {
-  bool adaptive = true;    ///< wood by what is seen of it; else the whole mesh of every tree
-  double tolerance = 0.5;  ///< px that adaptive wood may be off
+  bool adaptive = true;     ///< wood by what is seen of it; else the whole mesh of every tree
+  double tolerance = 0.5;   ///< px that adaptive wood may be off
+  bool cards = true;        ///< far away, cards stand for clusters of leaves; else every leaf is drawn
+  double cardsBelow = 1.5;  ///< px of a leaf's length below which its cluster is a card
   bool operator==(const DetailSettings&) const = default;
 };
 

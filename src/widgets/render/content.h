@@ -10,6 +10,10 @@
 #include "kernels/detail_data.h"
 #include "kernels/math.h"
 
+namespace windfall::sim {
+struct Tree;
+}
+
 namespace windfall::render {
 
 /// 8-bit RGBA, rows from the top, sRGB with straight alpha (the renderer filters in linear, premultiplied light).
@@ -109,6 +113,9 @@ struct SceneContent {
   std::vector<TreeDraw> trees;
   std::vector<LeafLayer> leafLayers;
   std::size_t linkCount = 0, leafCount = 0;
+  /// Of each tree: the links and sites that the leaves hang on, for cards of clusters; empty: every leaf is drawn.
+  std::vector<std::shared_ptr<const sim::Tree>> leafTrees;
+  std::uint64_t leafSeed = 1;  ///< as the simulation's
 };
 
 }  // namespace windfall::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "widgets/render/leaf_meshes.h"
 #include "widgets/render/mip_chain.h"
 
 namespace windfall::render {
@@ -88,6 +89,7 @@ void LeafMapArrays::reset() {
   colours_.reset();
   surfaces_.reset();
   ageing_.reset();
+  covers_.clear();
 }
 
 Status LeafMapArrays::upload(const std::vector<LeafLayer>& layers) {
@@ -101,10 +103,13 @@ Status LeafMapArrays::upload(const std::vector<LeafLayer>& layers) {
   }
   clearErrors();
   const int side = layerSize(layers);
+  std::vector<LeafCover> covers;
   Texture colours = makeArray(side, layers.size(), GL_SRGB8_ALPHA8);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     GLint level = 0;
-    for (const MipLevel& from : mipChain(layers[i].picture, side, side, true)) {
+    const std::vector<MipLevel> levels = mipChain(layers[i].picture, side, side, true);
+    covers.push_back(coverOf(levels, shapesOf(layers[i])));
+    for (const MipLevel& from : levels) {
       glTextureSubImage3D(colours.id(), level++, 0, 0, static_cast<GLint>(i), from.width, from.height, 1, GL_RGBA,
                           GL_UNSIGNED_BYTE, from.rgba.data());
     }
@@ -116,6 +121,7 @@ Status LeafMapArrays::upload(const std::vector<LeafLayer>& layers) {
   colours_ = std::move(colours);
   surfaces_ = std::move(surfaces);
   ageing_ = std::move(ageing);
+  covers_ = std::move(covers);
   return ok();
 }
 

@@ -34,15 +34,23 @@ LeafShape gridShape(const LeafLayer& layer, int columns, int rows) {
   return shape;
 }
 
+std::array<LeafShape, kLeafLevels> shapesOf(const LeafLayer& layer) {
+  constexpr int kGrids[kLeafLevels][2] = {{3, 5}, {3, 3}, {2, 2}, {2, 2}};
+  std::array<LeafShape, kLeafLevels> shapes = layer.levels;
+  for (std::size_t level = 0; level < kLeafLevels; ++level) {
+    if (shapes[level].indices.empty()) shapes[level] = gridShape(layer, kGrids[level][0], kGrids[level][1]);
+  }
+  return shapes;
+}
+
 void LeafMeshBuffers::upload(const std::vector<LeafLayer>& layers) {
   std::vector<LeafVertexData> vertices;
   std::vector<std::uint32_t> indices;
   commands_.assign(kLeafKinds * layers.size(), {});
-  const int grids[kLeafLevels][2] = {{3, 5}, {3, 3}, {2, 2}, {2, 2}};
   for (std::size_t l = 0; l < layers.size(); ++l) {
+    const std::array<LeafShape, kLeafLevels> shapes = shapesOf(layers[l]);
     for (std::size_t level = 0; level < kLeafLevels; ++level) {
-      const LeafShape& own = layers[l].levels[level];
-      const LeafShape shape = own.indices.empty() ? gridShape(layers[l], grids[level][0], grids[level][1]) : own;
+      const LeafShape& shape = shapes[level];
       DrawCommand command;
       command.count = static_cast<GLuint>(shape.indices.size());
       command.firstIndex = static_cast<GLuint>(indices.size());
@@ -57,8 +65,12 @@ void LeafMeshBuffers::upload(const std::vector<LeafLayer>& layers) {
   }
   vertices_ = makeBuffer(static_cast<GLsizeiptr>(vertices.size() * sizeof(LeafVertexData)), vertices.data(), 0);
   indices_ = makeBuffer(static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(), 0);
-  array_ = makeVertexArray();
-  const GLuint array = array_.id();
+  array_ = makeArray();
+}
+
+VertexArray LeafMeshBuffers::makeArray() const {
+  VertexArray made = makeVertexArray();
+  const GLuint array = made.id();
   glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(LeafVertexData));
   glVertexArrayElementBuffer(array, indices_.id());
   const std::size_t offsets[] = {offsetof(LeafVertexData, place), offsetof(LeafVertexData, ribAndLevel),
@@ -72,6 +84,7 @@ void LeafMeshBuffers::upload(const std::vector<LeafLayer>& layers) {
   glVertexArrayAttribIFormat(array, 3, 1, GL_UNSIGNED_INT, 0);
   glVertexArrayAttribBinding(array, 3, 1);
   glVertexArrayBindingDivisor(array, 1, 1);
+  return made;
 }
 
 }  // namespace windfall::render

@@ -1,6 +1,7 @@
 // The shapes of all layers' leaves in one vertex and one index buffer.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "widgets/render/content.h"
@@ -23,6 +24,8 @@ class LeafMeshBuffers {
  public:
   void upload(const std::vector<LeafLayer>& layers);
   GLuint array() const { return array_.id(); }
+  /// A further one of the same attributes.
+  VertexArray makeArray() const;
   /// A command for each kind and layer, kinds first, without instances.
   const std::vector<DrawCommand>& commands() const { return commands_; }
 
@@ -31,6 +34,9 @@ class LeafMeshBuffers {
   Buffer vertices_, indices_;
   std::vector<DrawCommand> commands_;
 };
+
+/// A layer's shapes as they are drawn: its own, or grids.
+std::array<LeafShape, kLeafLevels> shapesOf(const LeafLayer& layer);
 
 /// A grid over a layer's picture, for layers without shapes.
 LeafShape gridShape(const LeafLayer& layer, int columns, int rows);

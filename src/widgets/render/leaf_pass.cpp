@@ -14,13 +14,18 @@ namespace {
 
 /// As in leaf_layers.glsl.
 struct LayerData {
-  vec4 shape, gains[3], seasons[kSeasonSamples];
+  vec4 shape, gains[3], seasons[kSeasonSamples], surface, field, cover[kCoverLevels];
 };
 
-LayerData dataOf(const LeafLayer& layer) {
+LayerData dataOf(const LeafLayer& layer, const LeafCover& cover) {
   LayerData data;
   data.shape = {layer.stalk, layer.halfWidth, layer.redness, layer.wetness};
   for (std::size_t i = 0; i < 3; ++i) data.gains[i] = vec4(glm::max(layer.gains[i], vec3(1e-3f)), 0);
+  data.gains[0].w = cover.from;
+  data.gains[1].w = cover.to;
+  std::copy(cover.factors.begin(), cover.factors.end(), data.cover);
+  data.surface = meanOver(layer.surface, layer.picture, {0.5f, 0.5f, 0.52f, 0.85f});
+  data.field = meanOver(layer.ageing, layer.picture, {0.42f, 0.5f, 0.55f, 0.95f});
   std::copy(layer.seasons.begin(), layer.seasons.end(), data.seasons);
   return data;
 }
@@ -44,6 +49,7 @@ Status LeafPass::setContent(const SceneContent& content) {
   layers_.reset();
   layerCount_ = 0;
   leaves_ = 0;
+  cards_ = {};
   if (content.leafLayers.empty()) {
     if (content.leafCount == 0) return ok();
     return Error{"leaves without a leaf texture"};
@@ -55,31 +61,40 @@ Status LeafPass::setContent(const SceneContent& content) {
     return made;
   }
   std::vector<LayerData> layers;
-  for (const LeafLayer& layer : content.leafLayers) layers.push_back(dataOf(layer));
+  for (std::size_t i = 0; i < content.leafLayers.size(); ++i) {
+    layers.push_back(dataOf(content.leafLayers[i], maps_.covers()[i]));
+  }
   layers_ = makeBuffer(static_cast<GLsizeiptr>(layers.size() * sizeof(LayerData)), layers.data(), 0);
   layerCount_ = layers.size();
   return ok();
 }
 
-void LeafPass::sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season) {
+void LeafPass::sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season,
+                    const LeafCardBinding& cards) {
   leaves_ = buffer;
   offset_ = offset;
   season_ = season;
+  cards_ = cards;
   if (maps_.empty()) return;
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
-  sort_.run(buffer, offset, sight);
+  sort_.run(buffer, offset, sight, cards);
+}
+
+void LeafPass::bindLooks() const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
+  maps_.bind();
 }
 
 int LeafPass::drawKinds(std::size_t kinds) const {
   if (maps_.empty() || leaves_ == 0) return 0;
   glBindVertexArray(meshes_.array());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, layers_.id());
-  maps_.bind();
+  bindLooks();
   glUniform1f(1, season_);
   int calls = 0;
   for (const LeafChunk& chunk : sort_.chunks()) {
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 3, leaves_, offset_ + chunk.offset,
                       static_cast<GLsizeiptr>(chunk.count * sizeof(LeafInstance)));
+    cards_.bind(chunk.first, chunk.count);
     glVertexArrayVertexBuffer(meshes_.array(), 1, chunk.lists.id(), 0, sizeof(GLuint));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, chunk.commands.id());
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(kinds * layerCount_), 0);

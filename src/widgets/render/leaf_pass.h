@@ -17,10 +17,13 @@ class LeafPass {
   Status compile();
   Status setContent(const SceneContent& content);
   /// Sorts the leaves of `buffer` at `offset` (LeafInstance) for this frame; before the draws.
-  void sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season);
+  void sort(GLuint buffer, GLintptr offset, const LeafSight& sight, float season, const LeafCardBinding& cards = {});
   /// Draw calls made: one, or one for each two million leaves.
   int draw(bool highQuality) const;
   int drawShadow(const mat4& lightMatrix) const;
+  const LeafMeshBuffers& meshes() const { return meshes_; }
+  /// Binds the layers (storage 2) and their maps.
+  void bindLooks() const;
 
  private:
   int drawKinds(std::size_t kinds) const;
@@ -33,6 +36,7 @@ class LeafPass {
   GLuint leaves_ = 0;
   GLintptr offset_ = 0;
   float season_ = 0;
+  LeafCardBinding cards_;
   Program standard_, high_, shadowProgram_;
 };
 

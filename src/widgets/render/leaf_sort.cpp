@@ -16,6 +16,14 @@ constexpr std::size_t kUnit = 1024;           // leaves: chunks begin where any 
 constexpr std::size_t kMostLeaves = 1 << 21;  // a chunk: what kIndexBits can name
 }  // namespace
 
+void LeafCardBinding::bind(std::size_t first, std::size_t count) const {
+  glUniform1ui(4, ofLeaf != 0 ? 1 : 0);
+  if (ofLeaf == 0) return;
+  glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 9, ofLeaf, static_cast<GLintptr>(first * sizeof(GLuint)),
+                    static_cast<GLsizeiptr>(count * sizeof(GLuint)));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 10, states);
+}
+
 Status LeafSort::compile() {
   for (auto [program, step] : {std::pair{&demand_, "DEMAND"}, std::pair{&count_, "COUNT"}, std::pair{&plan_, "PLAN"},
                                std::pair{&place_, "PLACE"}}) {
@@ -47,6 +55,7 @@ Status LeafSort::allocate(std::size_t leafCount, const std::vector<DrawCommand>&
   for (std::size_t first = 0; first < leafCount; first += most) {
     LeafChunk chunk;
     chunk.offset = static_cast<GLintptr>(first * sizeof(LeafInstance));
+    chunk.first = first;
     chunk.count = std::min(most, leafCount - first);
     chunk.commands = makeBuffer(commandBytes_, nullptr, 0);
     chunk.lists = makeBuffer(static_cast<GLsizeiptr>(chunk.count * sizeof(GLuint)), nullptr, 0);
@@ -64,7 +73,7 @@ void LeafSort::bind(const LeafChunk& chunk) const {
   for (GLuint i = 0; i < 5; ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 4 + i, buffers[i]);
 }
 
-void LeafSort::run(GLuint buffer, GLintptr offset, const LeafSight& sight) {
+void LeafSort::run(GLuint buffer, GLintptr offset, const LeafSight& sight, const LeafCardBinding& cards) {
   const GLuint zero = 0;
   for (const LeafChunk& chunk : chunks_) {
     glCopyNamedBufferSubData(fresh_.id(), chunk.commands.id(), 0, 0, commandBytes_);
@@ -83,6 +92,7 @@ void LeafSort::run(GLuint buffer, GLintptr offset, const LeafSight& sight) {
         glUniform4f(1, sight.eye.x, sight.eye.y, sight.eye.z, sight.pixelsPerRadian);
         glUniform1ui(2, static_cast<GLuint>(chunk.count));
         glUniform2f(3, sight.thinBelow, sight.budget * part);
+        if (program != &place_) cards.bind(chunk.first, chunk.count);
       }
       glDispatchCompute(program == &plan_ ? 1 : groups, 1, 1);
       glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

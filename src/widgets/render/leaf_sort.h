@@ -19,9 +19,18 @@ struct LeafSight {
   float budget = 200'000;  ///< leaves to be drawn at most, those of more than 20 px and in the air not counted
 };
 
+/// What says of each leaf how far its cluster is drawn as a card; no buffers: every leaf is drawn.
+struct LeafCardBinding {
+  GLuint ofLeaf = 0, states = 0;
+  explicit operator bool() const { return ofLeaf != 0; }
+  /// Binds both for the leaves from `first` on (storage 9 and 10), and tells the program in use.
+  void bind(std::size_t first, std::size_t count) const;
+};
+
 /// A part of the leaves that one storage block can hold.
 struct LeafChunk {
   GLintptr offset = 0;  ///< in the leaves' buffer
+  std::size_t first = 0;
   std::size_t count = 0;
   Buffer commands, lists;
 };
@@ -32,8 +41,9 @@ class LeafSort {
   /// Room for this many leaves; `commands` without instances.
   Status allocate(std::size_t leafCount, const std::vector<DrawCommand>& commands);
   /// Thins leaves that are small on the screen, so that the area that they cover stays; fills the chunks' commands and
-  /// lists from the leaves in `buffer` at `offset`. The layers' block must be bound.
-  void run(GLuint buffer, GLintptr offset, const LeafSight& sight);
+  /// lists from the leaves in `buffer` at `offset`. Leaves whose card has taken their place add to it and are left out.
+  /// The layers' block must be bound.
+  void run(GLuint buffer, GLintptr offset, const LeafSight& sight, const LeafCardBinding& cards = {});
   const std::vector<LeafChunk>& chunks() const { return chunks_; }
 
  private:

@@ -144,8 +144,17 @@ float coverageScale(const Image& image, double wanted) {
   return threshold > 1e-3f ? std::clamp(0.5f / threshold, 0.5f, 4.f) : 1.f;
 }
 
+float decidedShare(const Image& image) {
+  double sum = 0, squares = 0;
+  for (const vec4& texel : image.texels) {
+    sum += static_cast<double>(texel.a);
+    squares += static_cast<double>(texel.a * texel.a);
+  }
+  return sum > 0 ? static_cast<float>(squares / sum) : 1.f;
+}
+
 MipLevel encoded(const Image& image, float alphaScale) {
-  MipLevel level{image.width, image.height, {}};
+  MipLevel level{image.width, image.height, {}, decidedShare(image)};
   level.rgba.reserve(image.texels.size() * 4);
   for (const vec4& texel : image.texels) {
     // Colour keeps its ratio to alpha, or edges would change their colour with the distance.

@@ -13,6 +13,9 @@ namespace windfall::render {
 struct MipLevel {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
+  /// Mean of the squared alpha over the mean alpha, before it is scaled: 1 where every texel is either open or covered,
+  /// less the more edges of a shape are finer than a texel.
+  float decided = 1;
 };
 
 /// All levels down to 1x1 of `picture`, resampled to width x height first. With `keepCoverage` every level's alpha is

@@ -14,6 +14,7 @@ class PictureTarget {
   Status resize(int width, int height);
   GLuint framebuffer() const { return framebuffer_.id(); }
   GLuint color() const { return color_.id(); }
+  GLuint depth() const { return depth_.id(); }
   /// Which sample lies in each quarter of a pixel: left and right below, left and right above.
   std::array<GLint, 4> samplesByQuarter() const;
   static constexpr int kSamples = 4;

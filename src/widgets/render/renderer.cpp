@@ -12,6 +12,7 @@
 #include "widgets/render/frame_uniforms.h"
 #include "widgets/render/gl_object.h"
 #include "widgets/render/gl_version.h"
+#include "widgets/render/leaf_cards.h"
 #include "widgets/render/leaf_pass.h"
 #include "widgets/render/noise_texture.h"
 #include "widgets/render/picture_target.h"
@@ -26,7 +27,8 @@ namespace windfall::render {
 
 namespace {
 const vec3 kGroundAlbedo(0.13f, 0.10f, 0.035f);
-constexpr float kThinLive = 4, kThinKept = 2;  // px of a leaf's length
+constexpr float kThinLive = 4, kThinKept = 2;                       // px of a leaf's length
+constexpr std::size_t kPainted = 100'000, kSoftwarePainted = 4000;  // leaves a frame, into pictures for cards
 constexpr float kLeaves = 200'000, kSoftwareLeaves = 25'000, kNoBudget = 1e9f;
 constexpr float kGrassHeight = 0.055f;                              // m
 constexpr int kGrassRings = 3, kGrassCells = 80, kGrassBlades = 5;  // as in grass.vert
@@ -37,6 +39,7 @@ struct Renderer::Impl {
   TreePass trees;
   DetailPass detail;
   LeafPass leaves;
+  LeafCards cards;
   StreakPass streaks;
   PictureTarget fine, coarse;
   ShadowMap shadow;
@@ -59,6 +62,7 @@ struct Renderer::Impl {
   void makeHighlights(std::size_t linkCount);
   void updateLinkColors(const View& view);
   void makeLinkColors();
+  void sortLeaves(const View& view, const FrameUniforms& frame);
   void chooseDetail(const View& view, const ShadowFit& fit);
   void drawShadows(const View& view, const ShadowFit& fit);
   void drawPicture(const View& view);
@@ -84,7 +88,7 @@ Status Renderer::Impl::compile() {
                                link(ground[1], "ground.vert", "ground.frag", "HIGH_QUALITY"),
                                link(grass, "grass.vert", "grass.frag", "STANDARD_QUALITY"),
                                link(present, "present.vert", "present.frag", samples.c_str()), trees.compile(),
-                               detail.compile(), leaves.compile(), streaks.compile()}) {
+                               detail.compile(), leaves.compile(), cards.compile(), streaks.compile()}) {
     if (!status) return status;
   }
   return ok();
@@ -145,6 +149,29 @@ void Renderer::Impl::bindFrame() const {
   }
 }
 
+void Renderer::Impl::sortLeaves(const View& view, const FrameUniforms& frame) {
+  const int slot = ring.newest();
+  if (slot < 0) return;
+  const bool high = view.quality == Quality::High;
+  const float scale = static_cast<float>(view.height) / (2 * glm::length(vec3(frame.up)));
+  // A coarse view's pixels are twice as large: the same leaves turn into cards.
+  const CardSight far{frame.viewProjection,
+                      view.eye,
+                      scale,
+                      (high || view.coarse ? 0.5f : 1.f) * view.cardsBelow,
+                      view.season,
+                      high,
+                      software ? kSoftwarePainted : kPainted};
+  const LeafCardBinding binding = cards.choose(far, ring.slot(slot).bones, leaves);
+  const LeafSight sight{frame.viewProjection, view.eye, scale, high ? kThinKept : kThinLive,
+                        high       ? kNoBudget
+                        : software ? (view.coarse ? 0.5f : 1.f) * kSoftwareLeaves
+                                   : kLeaves};
+  leaves.sort(ring.leaves(), ring.leafOffset(slot), sight, view.season, binding);
+  cards.list(far);
+  counts.unfinished = cards.unfinished();
+}
+
 void Renderer::Impl::chooseDetail(const View& view, const ShadowFit& fit) {
   const int slot = ring.newest();
   if (slot < 0 || !view.adaptive || detail.empty()) return;
@@ -167,6 +194,8 @@ void Renderer::Impl::drawShadows(const View& view, const ShadowFit& fit) {
   counts.calls += trees.drawShadow(fit.toClip, view.adaptive);
   if (view.adaptive) counts.calls += detail.drawShadow(fit.toClip);
   counts.calls += leaves.drawShadow(fit.toClip);
+  glBindTextureUnit(0, noise.id());
+  counts.calls += cards.drawShadow(fit.toClip, 1 / fit.texel);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -188,7 +217,8 @@ void Renderer::Impl::drawPicture(const View& view) {
     counts.calls += trees.draw(high, view.adaptive);
     if (view.adaptive) counts.calls += detail.draw(high);
     counts.leafCalls = leaves.draw(high);
-    counts.calls += counts.leafCalls;
+    counts.cardCalls = cards.draw(high, view.season);
+    counts.calls += counts.leafCalls + counts.cardCalls;
   }
   glBindVertexArray(empty.id());
   if (drawsGrass(view.quality)) {
@@ -251,6 +281,11 @@ Status Renderer::setContent(const SceneContent& content) {
     static_cast<void>(impl_->leaves.setContent({}));
     static_cast<void>(impl_->ring.allocate(0, 0));
   }
+  if (status) {
+    impl_->cards.setContent(content, impl_->leaves);
+  } else {
+    impl_->cards.setContent({}, impl_->leaves);
+  }
   impl_->makeHighlights(impl_->ring.linkCount());
   impl_->makeLinkColors();
   return status;
@@ -267,7 +302,8 @@ void Renderer::publish(const FrameSlot& slot) {
 Status Renderer::draw(const View& view, unsigned framebuffer) {
   const auto begin = std::chrono::steady_clock::now();
   Impl& impl = *impl_;
-  impl.counts = {0, 0, impl.ring.newest()};
+  impl.counts = {};
+  impl.counts.slot = impl.ring.newest();
   View lit = view;
   if (view.coarse) lit.width = (view.width + 1) / 2, lit.height = (view.height + 1) / 2;
   if (const Status sized = impl.target(view.coarse).resize(lit.width, lit.height); !sized) return sized;
@@ -296,17 +332,7 @@ Status Renderer::draw(const View& view, unsigned framebuffer) {
   glEnable(GL_MULTISAMPLE);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   impl.bindFrame();
-  if (const int slot = impl.ring.newest(); slot >= 0) {
-    const float radians = 2 * glm::length(vec3(uniforms.up));
-    const bool high = view.quality == Quality::High;
-    impl.leaves.sort(
-        impl.ring.leaves(), impl.ring.leafOffset(slot),
-        {uniforms.viewProjection, view.eye, static_cast<float>(lit.height) / radians, high ? kThinKept : kThinLive,
-         high            ? kNoBudget
-         : impl.software ? (view.coarse ? 0.5f : 1.f) * kSoftwareLeaves
-                         : kLeaves},
-        view.season);
-  }
+  impl.sortLeaves(lit, uniforms);
   impl.chooseDetail(lit, fit);
   impl.drawShadows(lit, fit);
   impl.drawPicture(lit);
@@ -325,5 +351,6 @@ std::string Renderer::name() const { return deviceName(); }
 bool Renderer::isSoftware() const { return impl_->software; }
 double Renderer::lastDrawTime() const { return impl_->drawTime; }
 DrawCounts Renderer::lastDraw() const { return impl_->counts; }
+unsigned Renderer::depth() const { return impl_->fine.depth(); }
 
 }  // namespace windfall::render

@@ -23,9 +23,11 @@ struct FrameSlot {
 
 /// What the last draw asked of OpenGL.
 struct DrawCounts {
-  int calls = 0;      ///< draw calls of all passes
-  int leafCalls = 0;  ///< of them, leaves in the picture itself (shadows not counted)
-  int slot = -1;      ///< frame slot that was shown, -1: none was published yet
+  int calls = 0;            ///< draw calls of all passes
+  int leafCalls = 0;        ///< of them, leaves in the picture itself (shadows not counted)
+  int cardCalls = 0;        ///< of them, cards of leaves in the picture
+  bool unfinished = false;  ///< cards are still being painted: a further draw shows more of them
+  int slot = -1;            ///< frame slot that was shown, -1: none was published yet
 };
 
 /// Owns every OpenGL object. All calls, the destructor's too, need the same context current; `framebuffer` is where the
@@ -56,6 +58,8 @@ class Renderer {
   /// Milliseconds of the last draw on the CPU side.
   double lastDrawTime() const;
   DrawCounts lastDraw() const;
+  /// Multisampled depth of the last picture, 0 where only sky is seen; for tests.
+  unsigned depth() const;
 
  private:
   Renderer();

@@ -29,8 +29,9 @@ struct View {
   Quality quality = Quality::Standard;
   /// Shades one pixel in four; edges keep the picture's own resolution. For what must be seen soon, or moves.
   bool coarse = false;
-  bool adaptive = true;    ///< trees that have an adaptive mesh are drawn with it, else with their whole mesh
-  float tolerance = 0.5f;  ///< px that an adaptive mesh may be off; High halves it
+  bool adaptive = true;     ///< trees that have an adaptive mesh are drawn with it, else with their whole mesh
+  float tolerance = 0.5f;   ///< px that an adaptive mesh may be off; High halves it
+  float cardsBelow = 1.5f;  ///< px of a leaf's length below which cards stand for clusters; 0: never; High halves it
 };
 
 }  // namespace windfall::render

@@ -167,8 +167,7 @@ bool SceneFeed::follow(const model::Change& change) {
         rebuild(true);
         return true;
       }
-      if (project)
-        controller_.setView(sunDirection(project->scene.light), static_cast<float>(project->scene.light.strength));
+      if (project) passLook(project->scene);
       return true;
     default:
       return false;
@@ -234,9 +233,15 @@ sim::LeafSettings SceneFeed::leavesOf(const model::Project& project) const {
   return leaves;
 }
 
+void SceneFeed::passLook(const model::Scene& scene) {
+  controller_.setView(sunDirection(scene.light), static_cast<float>(scene.light.strength));
+  controller_.setDetail(static_cast<float>(scene.detail.tolerance),
+                        scene.detail.cards ? static_cast<float>(scene.detail.cardsBelow) : 0);
+}
+
 void SceneFeed::passSettings(const model::Project& project) {
   const model::Scene& scene = project.scene;
-  controller_.setView(sunDirection(scene.light), static_cast<float>(scene.light.strength));
+  passLook(scene);
   if (!assembly_) return;
   if (scene.wind != assembly_->scene.sim.wind) controller_.setWind(scene.wind);
   if (const sim::LeafSettings leaves = leavesOf(project); leaves != assembly_->scene.sim.leaves)

@@ -58,6 +58,7 @@ class SceneFeed : public QObject {
   void take(std::shared_ptr<Assembly> assembly, const model::Project& project, bool restore);
   std::vector<int> keptTrees(const model::SceneAssembly& scene, const model::Project& project) const;
   void passTrees(model::AssetId plant);
+  void passLook(const model::Scene& scene);
   void passSettings(const model::Project& project);
   /// A number below 0 stands for as many as the trees have places for.
   sim::LeafSettings leavesOf(const model::Project& project) const;

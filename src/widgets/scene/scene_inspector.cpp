@@ -244,6 +244,22 @@ void SceneInspector::addDetail() {
       {.minimum = 0.25, .maximum = 2, .defaultValue = 0.5, .unit = "px", .hardMinimum = 0.1, .hardMaximum = 4}, part,
       model::Aspect::Light, [](const Detail& d) { return d.tolerance; }, [](Detail& d, double v) { d.tolerance = v; })
       ->setToolTip(tr("How far adaptive wood may be off in the picture"));
+  auto* leaves = group->add(new ChoiceField(tr("Leaves"), {tr("Cards far away"), tr("Every leaf")}, 0));
+  keep("detail.cards", leaves);
+  leaves->setToolTip(
+      tr("Far away, pictures of clusters, painted from the tree's own leaves, stand for the leaves themselves"));
+  connect(leaves, &ChoiceField::edited, this, [this, part](int index) {
+    Detail detail = document_.project().scene.detail;
+    detail.cards = index == 0;
+    document_.setScene(part, detail, model::Aspect::Light, tr("Choose the detail of leaves"));
+  });
+  shows_.push_back([leaves](const model::Scene& scene) { leaves->setValue(scene.detail.cards ? 0 : 1); });
+  number<Detail>(
+      group, "detail.cardsBelow", tr("Cards below"),
+      {.minimum = 0.5, .maximum = 4, .defaultValue = 1.5, .unit = "px", .hardMinimum = 0.1, .hardMaximum = 10}, part,
+      model::Aspect::Light, [](const Detail& d) { return d.cardsBelow; }, [](Detail& d, double v) { d.cardsBelow = v; })
+      ->setToolTip(
+          tr("Length that a leaf has in the picture where its cluster becomes a card: more brings cards nearer"));
 }
 
 void SceneInspector::follow(const model::Change& change) {

@@ -200,6 +200,12 @@ void SimulationController::setView(vec3 toSun, float sunStrength) {
   emit redrawWanted();
 }
 
+void SimulationController::setDetail(float tolerance, float cardsBelow) {
+  tolerance_ = tolerance;
+  cardsBelow_ = cardsBelow;
+  emit redrawWanted();
+}
+
 void SimulationController::setHighlighted(std::vector<std::uint32_t> links) {
   highlighted_ = std::move(links);
   emit redrawWanted();
@@ -310,6 +316,8 @@ void SimulationController::describe(render::View& view) const {
   view.toSun = toSun_;
   view.season = scene_.leaves.season;
   view.sunStrength = sunStrength_;
+  view.tolerance = tolerance_;
+  view.cardsBelow = cardsBelow_;
   view.time = static_cast<float>(last_.statistics.time);
   const vec3 along(scene_.wind.direction.x, 0, scene_.wind.direction.z);
   const float length = glm::length(along);

@@ -70,6 +70,8 @@ class SimulationController : public QObject, public FrameSource {
   std::optional<State> saveState();
 
   void setView(vec3 toSun, float sunStrength);
+  /// px that adaptive wood may be off, and px of a leaf below which cards stand for clusters (0: never).
+  void setDetail(float tolerance, float cardsBelow);
   void setHighlighted(std::vector<std::uint32_t> links);
   /// Colours instead of bark (render::View::linkColors); empty: bark.
   void setLinkColors(std::vector<std::uint32_t> colors);
@@ -120,6 +122,7 @@ class SimulationController : public QObject, public FrameSource {
   std::vector<std::function<void(const std::vector<mat4>&)>> poseCallbacks_;
   QString shownProblem_;
   vec3 toSun_{0.5f, 0.6f, 0.6f};
+  float tolerance_ = 0.5f, cardsBelow_ = 1.5f;
   float sunStrength_ = 1;
   std::vector<std::uint32_t> highlighted_, linkColors_;
   std::shared_ptr<const ClipPlay> clip_;

@@ -226,8 +226,10 @@ render::SceneContent makeContent(const model::SceneAssembly& assembly, const mod
     const auto links = static_cast<std::uint32_t>(assembly.sim.trees[i].tree->links.size());
     const int detail = content.details[static_cast<std::size_t>(mesh->second)]->entries.empty() ? -1 : mesh->second;
     content.trees.push_back({mesh->second, static_cast<std::uint32_t>(content.linkCount), links, detail});
+    content.leafTrees.push_back(assembly.sim.trees[i].tree);
     content.linkCount += links;
   }
+  content.leafSeed = assembly.sim.seed;
   for (const model::LeafTexture& texture : assembly.leafTextures) content.leafLayers.push_back(makeLayer(texture));
   content.leafCount = leafCount;
   return content;

@@ -28,6 +28,7 @@ render::View sceneView(const model::Camera& camera, const model::Scene& scene) {
   view.wind = scene.wind.direction * scene.wind.speed;
   view.adaptive = scene.detail.adaptive;
   view.tolerance = static_cast<float>(scene.detail.tolerance);
+  view.cardsBelow = scene.detail.cards ? static_cast<float>(scene.detail.cardsBelow) : 0;
   return view;
 }
 

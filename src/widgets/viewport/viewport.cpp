@@ -222,6 +222,7 @@ void Viewport::paintGL() {
   const Status drawn = renderer_->draw(view, defaultFramebufferObject());
   setProblem(drawn ? QString() : QString::fromStdString(drawn.error().message));
   ++drawn_;
+  if (renderer_->lastDraw().unfinished) QTimer::singleShot(15, this, [this] { update(); });
   emit this->drawn();
 }
 

@@ -115,7 +115,7 @@ Listed listedAt(const std::vector<LeafInstance>& leaves, float pixels, float bud
   render::LeafSort sort;
   REQUIRE(bool(sort.compile()));
   REQUIRE(bool(sort.allocate(leaves.size(), std::vector<render::DrawCommand>(render::kLeafKinds))));
-  const std::vector<vec4> layer(21, vec4(0));
+  const std::vector<vec4> layer(35, vec4(0));
   const render::Buffer layers =
       render::makeBuffer(static_cast<GLsizeiptr>(layer.size() * sizeof(vec4)), layer.data(), 0);
   const render::Buffer memory =
