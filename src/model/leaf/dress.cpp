@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "model/leaf/atlas.h"
+#include "model/leaf/shape_texture.h"
 
 namespace windfall::model {
 
@@ -43,6 +44,10 @@ Status dressTexture(LeafTexture& texture, const LeafParameters& parameters, quin
     texture.image = source.image = agedTexture(texture.image, fresh.ageing, age, parameters.ageing);
   }
   texture.maps = makeMaps(source, parameters.maps);
+  return shapeTexture(texture);
+}
+
+Status shapeTexture(LeafTexture& texture) {
   Result<LeafMeshes> meshes = fitTexture(texture);
   if (!meshes) return meshes.error();
   texture.meshes = std::move(*meshes);

@@ -148,8 +148,25 @@ void threshold(Measure& measure) {
   measure.separation = variance > 0 ? best / variance : 0;
 }
 
-/// The component that is most likely the leaf: large, near the middle, not running out of the picture.
-cv::Mat1b bestComponent(const cv::Mat1b& foreground, double& share) {
+constexpr double kBar = 0.02;  ///< of the score: a bar is the leaf only where nothing else is
+
+/// A ruler, a label, a strip of the table: long, and its rectangle is full. Blades of grass taper.
+bool isBar(const cv::Mat1i& labels, int label, const cv::Rect& box, double area) {
+  std::vector<cv::Point> places;
+  cv::findNonZero(labels(box) == label, places);
+  const cv::Size2f sides = cv::minAreaRect(places).size;
+  const double shorter = std::min(sides.width, sides.height) + 1.0, longer = std::max(sides.width, sides.height) + 1.0;
+  return longer > 3.5 * shorter && area > 0.88 * shorter * longer;
+}
+
+struct Component {
+  cv::Mat1b mask;
+  double share = 0;  ///< of all that stands out
+  bool bar = false;
+};
+
+/// The component that is most likely the leaf: no bar, large, near the middle, not running out of the picture.
+Component bestComponent(const cv::Mat1b& foreground) {
   cv::Mat1i labels;
   cv::Mat1i stats;
   cv::Mat1d centres;
@@ -164,22 +181,27 @@ cv::Mat1b bestComponent(const cv::Mat1b& foreground, double& share) {
     ++onBorder[static_cast<size_t>(labels(y, labels.cols - 1))];
   }
   int best = 0;
+  bool bestBar = false;
   double bestScore = 0, total = 0;
   for (int i = 1; i < count; ++i) {
     const double area = stats(i, cv::CC_STAT_AREA);
-    if (onBorder[static_cast<size_t>(i)] == 0) total += area;
+    const cv::Rect box(stats(i, cv::CC_STAT_LEFT), stats(i, cv::CC_STAT_TOP), stats(i, cv::CC_STAT_WIDTH),
+                       stats(i, cv::CC_STAT_HEIGHT));
+    const bool bar = area > 0.001 * static_cast<double>(labels.total()) && isBar(labels, i, box, area);
+    if (onBorder[static_cast<size_t>(i)] == 0 && !bar) total += area;
     const double dx = centres(i, 0) / labels.cols - 0.5, dy = centres(i, 1) / labels.rows - 0.5;
     const double contact = onBorder[static_cast<size_t>(i)] / std::sqrt(area);
-    const double score = area * std::exp(-4 * (dx * dx + dy * dy)) * std::exp(-3 * contact);
+    const double score = (bar ? kBar : 1) * area * std::exp(-4 * (dx * dx + dy * dy)) * std::exp(-3 * contact);
     if (score > bestScore) {
       bestScore = score;
       best = i;
+      bestBar = bar;
     }
   }
   // What runs out of the picture (a table's edge, a neighbour) says nothing about how scattered the rest is.
-  if (best > 0 && onBorder[static_cast<size_t>(best)] > 0) total += stats(best, cv::CC_STAT_AREA);
-  share = best > 0 ? stats(best, cv::CC_STAT_AREA) / total : 0;
-  return best > 0 ? cv::Mat1b(labels == best) : cv::Mat1b::zeros(foreground.size());
+  const double area = best > 0 ? stats(best, cv::CC_STAT_AREA) : 0;
+  if (best == 0) return {cv::Mat1b::zeros(foreground.size())};
+  return {cv::Mat1b(labels == best), area / std::max(total, area), bestBar};
 }
 
 /// Puts the margin half-way between the colours of leaf and ground that are found around each place.
@@ -339,16 +361,15 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
     threshold(measure);
     if (measure.contrast < 9) continue;
     cv::Mat1b foreground = measure.field > measure.threshold;
-    double share = 0;
-    const cv::Mat1b component = bestComponent(foreground, share);
-    const double covered = static_cast<double>(cv::countNonZero(component)) / (lab.rows * lab.cols);
+    const Component component = bestComponent(foreground);
+    const double covered = static_cast<double>(cv::countNonZero(component.mask)) / (lab.rows * lab.cols);
     if (covered < 0.003 || covered > 0.97) continue;
-    const double score = measure.separation * std::sqrt(share) * measure.trust;
+    const double score = measure.separation * std::sqrt(component.share) * measure.trust * (component.bar ? kBar : 1);
     if (score > bestScore) {
       bestScore = score;
-      bestShare = share;
+      bestShare = component.share;
       best = &measure;
-      leaf = component;
+      leaf = component.mask;
     }
   }
   if (!best || best->separation < 0.45 || bestShare < 0.12) {
@@ -363,8 +384,7 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   cv::resize(leaf, mask, full.size(), 0, 0, cv::INTER_LINEAR);
   cv::threshold(mask, mask, 127, 255, cv::THRESH_BINARY);
   settleMargin(full.clone(), best->lightness, mask, std::max(2, static_cast<int>(std::lround(2.5 / scale))));
-  double share = 0;
-  mask = bestComponent(mask, share);
+  mask = bestComponent(mask).mask;
   cv::Mat1f field;
   cv::resize(best->field, field, full.size(), 0, 0, cv::INTER_LINEAR);
   fillFalseHoles(field, level, full, ground, scale, mask);

@@ -14,6 +14,7 @@
 #include "model/leaf/petiole_region.h"
 #include "model/leaf/regions.h"
 #include "model/leaf/shape.h"
+#include "model/leaf/soft_mask.h"
 #include "model/leaf/superpixels.h"
 #include "model/leaf/vein_extraction.h"
 #include "model/leaf/vein_growth.h"
@@ -24,19 +25,6 @@
 namespace windfall::model {
 
 namespace {
-
-/// The mask in working size with a margin of about two pixels, smooth also where it was enlarged.
-QImage softMask(const QImage& mask, QSize size) {
-  cv::Mat1f field;
-  grayView(mask).convertTo(field, CV_32F, 1 / 255.0);
-  const double scale = static_cast<double>(size.width()) / mask.width();
-  if (scale > 1) cv::GaussianBlur(field, field, {}, 0.6);
-  cv::resize(field, field, {size.width(), size.height()}, 0, 0, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
-  const double sharpness = std::max(1.0, 0.6 * scale);
-  cv::Mat1b alpha;
-  field.convertTo(alpha, CV_8U, 255 * sharpness, 127.5 * (1 - sharpness));
-  return toGray(alpha);
-}
 
 /// Reads a picture of veins drawn by the artist's curves into kinds of tissue.
 std::vector<Tissue> tissueOf(const QImage& alpha, const QImage& veins) {
@@ -268,7 +256,9 @@ class Computation {
                   std::max(1, static_cast<int>(std::lround(result_.frame.height() * result_.scale))));
     const bool sameAlpha = has(Stage::Distance) && known_->mask.cacheKey() == result_.mask.cacheKey() &&
                            known_->frame == result_.frame && known_->scale == result_.scale;
-    result_.alpha = sameAlpha ? known_->alpha : softMask(result_.mask.copy(result_.frame), size_);
+    // Another leaf's shape lies over this photo: it tells nothing of its margin.
+    const QImage photo = givenFrame_ ? QImage() : result_.photo.copy(result_.frame);
+    result_.alpha = sameAlpha ? known_->alpha : softMask(result_.mask.copy(result_.frame), photo, size_);
     sameTissue_ = sameAlpha && sameStructure(known_->veins, result_.veins);
     sameDistance_ =
         sameTissue_ && known_->root == result_.root && known_->made.parameters.costs == leaf_.parameters.costs;

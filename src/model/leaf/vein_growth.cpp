@@ -144,31 +144,40 @@ Polygon furtherTips(const LeafGrid& grid, const Polygon& border, const LeafAxis&
   if (mains == 1) return {};
   const double reach = length(axis.tip - axis.root);
   std::vector<Tip> tips = borderPeaks(grid, border, axis);
-  size_t most = 8;
-  double apart = 27;  // degrees
-  if (mains > 1) {
-    most = static_cast<size_t>(mains) - 1;
-    apart = std::min(27.0, 150.0 / mains);
-    std::stable_sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) {
-      return a.distance * (0.2 + a.prominence) > b.distance * (0.2 + b.prominence);
-    });
-  } else {
-    std::erase_if(tips, [&](const Tip& tip) { return tip.distance < 0.55 * reach || tip.prominence < 0.07; });
-  }
+  const size_t most = mains > 1 ? static_cast<size_t>(mains) - 1 : 8;
   Polygon chosen{axis.tip};
-  const auto add = [&](QPointF place) {
+  /// Where no other tip is within so many degrees of it.
+  const auto add = [&](QPointF place, double apart) {
     const bool free = std::all_of(chosen.begin(), chosen.end(), [&](QPointF other) {
       const double angle = std::abs(QLineF(axis.root, place).angleTo(QLineF(axis.root, other)));
       return std::min(angle, 360 - angle) > apart;
     });
     if (free && chosen.size() <= most) chosen.push_back(place);
   };
-  for (const Tip& tip : tips) add(tip.place);
+  const auto addAll = [&](double distance, double prominence, double apart) {
+    for (const Tip& tip : tips) {
+      if (tip.distance >= distance * reach && tip.prominence >= prominence) add(tip.place, apart);
+    }
+  };
+  constexpr double kApart = 27, kLobesApart = 20;  // degrees
+  double apart = kApart;
+  if (mains > 1) {
+    apart = std::min(kApart, 150.0 / mains);
+    std::stable_sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) {
+      return a.distance * (0.2 + a.prominence) > b.distance * (0.2 + b.prominence);
+    });
+    addAll(0, 0, apart);
+  } else {
+    addAll(0.55, 0.07, kApart);
+    // Lobes that are cut deeply may be short and close together; once there are several, a blunt one is one too.
+    if (chosen.size() > 2) addAll(0.4, 0.25, kLobesApart);
+    if (chosen.size() > 2) addAll(0.7, 0.04, kApart);
+  }
   // An outline without so many tips: the border is shared out by angle, more and more narrowly.
   for (; mains > 1 && chosen.size() <= most && apart > 3; apart *= 0.75) {
     for (size_t i = 0; i < border.size(); i += std::max<size_t>(1, border.size() / 400)) {
       const double distance = length(border[i] - axis.root);
-      if (distance > 0.3 * reach && grid.straightShare(axis.root, border[i]) > 0.97) add(border[i]);
+      if (distance > 0.3 * reach && grid.straightShare(axis.root, border[i]) > 0.97) add(border[i], apart);
     }
   }
   chosen.erase(chosen.begin());
@@ -245,6 +254,9 @@ class Grower {
     Polygon line = curve(follow(way, step, 0.6 * parameters_.wiggle));
     if (!onLeaf(line)) line = smoothCurve(follow(way, step, 0));
     if (!onLeaf(line)) line = way;
+    // What is left may touch the ground between two teeth, in a few places at most.
+    std::erase_if(line, [&](const QPointF& p) { return !grid_.contains(p); });
+    if (line.size() < 2) line = {axis_.root, tip};
     Vein vein;
     vein.order = 1;
     vein.startWidth = px(first ? 3.4 : 2.8);

@@ -130,6 +130,13 @@ void GrowPresetsTest::leavesAndBarksAreOfTheirSpecies() {
     }
     const double share = static_cast<double>(opaque) / texture.image.width() / texture.image.height();
     QVERIFY2(share > 0.12 && share < 0.9, qPrintable(QString::number(look) + ": " + QString::number(share)));
+    // A blade has its outline, folded at the midrib; needles are a card.
+    const bool needles = look == static_cast<int>(LeafLook::Fir) || look == static_cast<int>(LeafLook::Pine);
+    QCOMPARE(texture.meshes[0].vertices.empty(), needles);
+    if (!needles) {
+      QVERIFY(texture.meshes[0].vertices.size() > 20 && texture.meshes[2].vertices.size() <= 8);
+      QVERIFY(texture.halfWidth > 0.05f && texture.halfWidth < 1 && texture.stalk > 0 && texture.stalk < 0.5f);
+    }
     leaves.insert(QByteArray(reinterpret_cast<const char*>(texture.image.constBits()), texture.image.sizeInBytes()));
   }
   QCOMPARE(leaves.size(), std::size_t{10});

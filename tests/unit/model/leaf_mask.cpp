@@ -59,6 +59,35 @@ class LeafMask : public QObject {
     QVERIFY2(iou > 0.93, qPrintable(QString::number(iou)));
   }
 
+  void aRulerLargerThanTheLeafIsNotTheLeaf() {
+    const PaintedPhoto painted = paintLeafPhoto({}, 5, 260);
+    const QColor paper = painted.photo.pixelColor(4, painted.photo.height() / 2);
+    QImage photo(700, 640, QImage::Format_RGBA8888), wanted(700, 640, QImage::Format_Grayscale8);
+    photo.fill(paper);
+    wanted.fill(0);
+    QPainter(&photo).drawImage(200, 180, painted.photo);
+    QPainter(&wanted).drawImage(200, 180, painted.mask);
+    Progress progress;
+    for (const bool standing : {false, true}) {
+      QImage both = photo;
+      QPainter painter(&both);
+      if (standing) painter.setTransform(QTransform(0, 1, 1, 0, 0, 0));
+      painter.fillRect(16, 570, 600, 50, QColor(250, 210, 60));
+      for (int x = 24; x < 600; x += 9) painter.fillRect(x, 570, 1, x % 45 ? 14 : 26, Qt::black);
+      painter.end();
+      const Result<QImage> mask = automaticMask(both, {}, progress);
+      QVERIFY(mask);
+      QVERIFY2(test::overlap(*mask, wanted) > 0.93, qPrintable(QString::number(test::overlap(*mask, wanted))));
+    }
+    // Alone a bar is what was photographed: a blade of grass may be as straight.
+    QImage bar(400, 300, QImage::Format_RGBA8888);
+    bar.fill(paper);
+    QPainter(&bar).fillRect(60, 130, 280, 30, QColor(66, 120, 44));
+    const Result<QImage> mask = automaticMask(bar, {}, progress);
+    QVERIFY(mask);
+    QCOMPARE(int(mask->constScanLine(145)[200]), 255);
+  }
+
   void holesStayHoles() {
     const PaintedPhoto painted = paintLeafPhoto({}, 5, 420);
     QImage photo = rgba(painted.photo);

@@ -1,5 +1,7 @@
 #include <QLineF>
+#include <QPainter>
 #include <QtTest>
+#include <cmath>
 
 #include "model/leaf/vein_growth.h"
 #include "support/leaf_fixture.h"
@@ -63,6 +65,50 @@ class LeafVeins : public QObject {
         }
       }
     }
+  }
+
+  void everyLobeOfAPalmateLeafHasAMainVein_data() {
+    QTest::addColumn<QList<double>>("angles");   // of the lobes, degrees from the tip
+    QTest::addColumn<QList<double>>("lengths");  // beside the middle one's
+    QTest::newRow("five, the lower ones short")
+        << QList<double>{-74, -40, 0, 40, 74} << QList<double>{0.5, 0.75, 1, 0.75, 0.5};
+    QTest::newRow("five, lobes close together")
+        << QList<double>{-62, -38, 0, 38, 62} << QList<double>{0.62, 0.75, 1, 0.75, 0.62};
+    QTest::newRow("three") << QList<double>{-45, 0, 45} << QList<double>{0.8, 1, 0.8};
+  }
+  void everyLobeOfAPalmateLeafHasAMainVein() {
+    QFETCH(QList<double>, angles);
+    QFETCH(QList<double>, lengths);
+    const QPointF root(300, 460);
+    const auto at = [&](double angle, double length) {
+      const double a = angle * M_PI / 180;
+      return root + 380 * length * QPointF(std::sin(a), -std::cos(a));
+    };
+    QPolygonF outline{root + QPointF(-20, 12)};
+    for (qsizetype i = 0; i < angles.size(); ++i) {
+      if (i > 0) outline << at(0.5 * (angles[i] + angles[i - 1]), 0.45 * std::min(lengths[i], lengths[i - 1]));
+      outline << at(angles[i], lengths[i]);
+    }
+    outline << root + QPointF(20, 12);
+    PaintedPhoto leaf;
+    leaf.mask = QImage(600, 520, QImage::Format_Grayscale8);
+    leaf.mask.fill(0);
+    QPainter painter(&leaf.mask);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawPolygon(outline);
+    painter.drawRect(QRectF(296, 455, 8, 60));
+    painter.end();
+    const Veins veins = veinsOf(leaf, 3);
+    for (qsizetype i = 0; i < angles.size(); ++i) {
+      const bool has = std::any_of(veins.begin(), veins.end(), [&](const Vein& vein) {
+        return vein.order == 1 && QLineF(vein.points.back(), at(angles[i], lengths[i])).length() < 12;
+      });
+      QVERIFY2(has, qPrintable(QString::number(angles[i])));
+    }
+    QCOMPARE(std::count_if(veins.begin(), veins.end(), [](const Vein& vein) { return vein.order == 1; }),
+             angles.size());
   }
 
   void theSeedDecides() {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/random.h"
+#include "model/leaf/shape_texture.h"
 #include "model/sample/leaf_painter.h"
 
 namespace windfall::model::growth {
@@ -137,6 +138,8 @@ LeafTexture speciesLeaf(LeafLook look, int variant, double length) {
                         .convertToFormat(QImage::Format_RGBA8888);
     texture.metres.rwidth() *= is.width;
   }
+  // A painted blade always has an outline.
+  static_cast<void>(shapeTexture(texture));
   return texture;
 }
 

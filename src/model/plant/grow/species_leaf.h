@@ -10,7 +10,8 @@ namespace windfall::model::growth {
 inline constexpr int kLeafVariants = 2;
 
 /// A painted leaf, or a twig full of needles for conifers, in summer's colours; petiole's end at the bottom, tip up.
-/// `metres` is for a blade of `length` m. The same arguments give the same bits.
+/// `metres` is for a blade of `length` m. Blades have fitted meshes, needle twigs the whole picture's. The same
+/// arguments give the same bits.
 LeafTexture speciesLeaf(LeafLook look, int variant, double length);
 
 /// The needle twigs: a card of code-drawn needles on a stalk, RGBA8888.
