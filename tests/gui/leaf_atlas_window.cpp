@@ -1,50 +1,29 @@
 // Maps, ageing, atlas and species in the real window.
-#include <QApplication>
 #include <QComboBox>
-#include <QtTest>
 
-#include "app/editor.h"
 #include "model/leaf/ageing.h"
 #include "model/leaf/maps_picture.h"
-#include "support/painted_leaf.h"
-#include "support/suite.h"
+#include "support/leaf_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
 #include "widgets/fields/preset_field.h"
 #include "widgets/leaf/atlas_panel.h"
-#include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
-#include "widgets/leaf/leaf_workspace.h"
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/variant_strip.h"
-#include "widgets/look/look.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
 using model::Stage;
 
-class LeafAtlasWindowTest : public QObject {
+class LeafAtlasWindowTest : public QObject, test::LeafStage {
   Q_OBJECT
 
-  std::unique_ptr<app::Editor> editor_;
-  LeafWorkspace* leaf_ = nullptr;
-  model::AssetId id_;
-
-  const model::Leaf& shown() { return *editor_->document().project().leaf(id_); }
   QImage canvas() { return leaf_->pane().overlay().isNull() ? QImage() : leaf_->pane().overlay().full(); }
-  void shot(const char* name) {
-    QVERIFY(editor_->window().grab().save(test::outputFolder() + QLatin1Char('/') + QLatin1String(name)));
-  }
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    applyLook(*qApp, Scheme::Dark);
-  }
-
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
   void init() {
-    editor_ = std::make_unique<app::Editor>();
-    editor_->window().resize(1440, 900);
     model::Leaf leaf = test::paintedLeaf();
     // Two textures without the time of synthesis: the photo itself, cut out by its mask.
     QImage cut = test::paintedLeafPhoto({240, 320}).convertToFormat(QImage::Format_RGBA8888);
@@ -55,24 +34,16 @@ class LeafAtlasWindowTest : public QObject {
       }
     }
     leaf.variants = {{1, true, cut}, {2, true, cut.mirrored(true, false)}};
-    id_ = editor_->document().addLeaf(leaf);
-    editor_->document().undoStack().clear();
-    leaf_ = qobject_cast<LeafWorkspace*>(editor_->window().workspace(QStringLiteral("leaf")));
-    QVERIFY(leaf_);
-    editor_->window().openWorkspace(QStringLiteral("leaf"));
-    editor_->window().show();
-    QVERIFY(QTest::qWaitForWindowActive(&editor_->window()));
-    leaf_->show(id_);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(open({leaf}));
   }
   void cleanup() { editor_.reset(); }
 
   void mapsAreShownAndFollowTheirNumbers() {
     QTest::mouseClick(leaf_->stageBar().chip(Stage::Maps), Qt::LeftButton);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     QTRY_VERIFY(!canvas().isNull());
     const QImage lit = canvas();
-    shot("maps_lit.png");
+    QVERIFY(shot("maps_lit.png"));
     ChoiceField* kind = leaf_->numbers().mapKind();
     kind->box()->setCurrentIndex(int(model::MapKind::Normal));
     emit kind->edited(int(model::MapKind::Normal), true);
@@ -80,12 +51,12 @@ class LeafAtlasWindowTest : public QObject {
     // A normal map is mostly blue.
     const QColor middle = canvas().pixelColor(canvas().width() / 2 + 30, canvas().height() / 2);
     QVERIFY(middle.blue() > 180);
-    shot("maps_normal.png");
+    QVERIFY(shot("maps_normal.png"));
   }
 
   void ageingIsPreviewedAndUndone() {
     leaf_->setStage(Stage::Variants);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     const QImage fresh = canvas();
     NumberField* age = leaf_->numbers().age();
     age->box()->setValue(0.9);
@@ -93,8 +64,8 @@ class LeafAtlasWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(canvas() != fresh && leaf_->isSettled(), 20000);
     const QColor old = canvas().pixelColor(canvas().width() / 2 + 30, canvas().height() / 2);
     QVERIFY(old.red() > old.green());
-    shot("ageing.png");
-    editor_->document().undoStack().undo();
+    QVERIFY(shot("ageing.png"));
+    undo().undo();
     QCOMPARE(shown().parameters.ageing.age, 0.0);
     QTRY_VERIFY_WITH_TIMEOUT(canvas() == fresh, 20000);
   }
@@ -110,9 +81,9 @@ class LeafAtlasWindowTest : public QObject {
     QCOMPARE(shown().parameters.ageing.redness, 0.9);
     QCOMPARE(shown().parameters.synthesis.size, before.synthesis.size);
     QCOMPARE(species->value(), maple);
-    editor_->document().undoStack().undo();
+    undo().undo();
     QVERIFY(shown().parameters == before);
-    QCOMPARE(editor_->document().undoStack().index(), 0);
+    QCOMPARE(undo().index(), 0);
   }
 
   void ownPresetsAreSavedSharedAndImported() {
@@ -146,14 +117,14 @@ class LeafAtlasWindowTest : public QObject {
     QVERIFY(leaf_->atlas().isVisible());
     QCOMPARE(leaf_->atlas().atlas()->places.size(), size_t(2));
     QCOMPARE(leaf_->atlas().pane().overlay().size(), QSize(512, 512));
-    shot("atlas.png");
+    QVERIFY(shot("atlas.png"));
     leaf_->atlas().packer()->box()->setCurrentIndex(2);
     emit leaf_->atlas().packer()->edited(2, true);
     QCOMPARE(editor_->document().project().atlas.packer, model::AtlasPacker::Unity);
     leaf_->atlas().ground()->setValue(2);
     leaf_->atlas().mip()->setValue(5);
     emit leaf_->atlas().mip()->edited(5, true);
-    shot("atlas_mip5_white.png");
+    QVERIFY(shot("atlas_mip5_white.png"));
     QTest::keyClick(&leaf_->atlas().pane(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(editor_->document().project().atlas.packer, model::AtlasPacker::Plain);
     QTRY_VERIFY_WITH_TIMEOUT(leaf_->isSettled(), 60000);

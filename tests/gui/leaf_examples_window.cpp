@@ -1,74 +1,43 @@
 // Several examples, the tools' numbers, both methods, cancelling and bad input in the real window.
-#include <QApplication>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
-#include <QtTest>
 
-#include "app/editor.h"
 #include "model/document/project_file.h"
 #include "model/leaf/region_match.h"
-#include "support/painted_leaf.h"
-#include "support/suite.h"
+#include "support/leaf_stage.h"
+#include "support/small_disk.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
-#include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_jobs.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
-#include "widgets/leaf/leaf_workspace.h"
 #include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/tool_options.h"
 #include "widgets/leaf/variant_strip.h"
-#include "widgets/look/look.h"
 #include "widgets/main_window/jobs_indicator.h"
-#include "widgets/main_window/message_bar.h"
+#include "widgets/main_window/project_files.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
 using model::Stage;
 
-class LeafExamplesWindow : public QObject {
+class LeafExamplesWindow : public QObject, test::LeafStage {
   Q_OBJECT
 
-  std::unique_ptr<app::Editor> editor_;
-  LeafWorkspace* leaf_ = nullptr;
-  ImagePane* pane_ = nullptr;
-  model::AssetId id_, other_;
-  model::Project before_;
+  model::AssetId other_;
   QTemporaryDir folder_;
 
-  const model::Leaf& shown() { return *editor_->document().project().leaf(id_); }
-  bool settle() { return editor_->settle(60); }
   QString at(const QString& name) const { return folder_.filePath(name); }
-  QPoint on(ImagePane& pane, QPointF photo) { return pane.toScreen(photo).toPoint(); }
-  void drag(const QList<QPointF>& photo) {
-    QTest::mousePress(pane_, Qt::LeftButton, {}, on(*pane_, photo.first()));
-    for (const QPointF& point : photo.mid(1)) {
-      QMouseEvent move(QEvent::MouseMove, on(*pane_, point), pane_->mapToGlobal(on(*pane_, point)), Qt::NoButton,
-                       Qt::LeftButton, Qt::NoModifier);
-      QApplication::sendEvent(pane_, &move);
-    }
-    QTest::mouseRelease(pane_, Qt::LeftButton, {}, on(*pane_, photo.last()));
-  }
   void tick(int row) {
     QListWidgetItem* item = leaf_->regionMatch().exampleList()->item(row);
     item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
   }
-  void shot(const char* name) {
-    QVERIFY(editor_->window().grab().save(test::outputFolder() + QLatin1Char('/') + QLatin1String(name)));
-  }
-  QString said() { return editor_->window().messages().text(); }
-  bool saidWrong() { return editor_->window().messages().isError() && !said().isEmpty() && !said().contains('\n'); }
 
  private slots:
   void initTestCase() {
-    applyLook(*qApp, Scheme::Dark);
-    editor_ = std::make_unique<app::Editor>();
-    editor_->window().resize(1440, 900);
-    id_ = editor_->document().addLeaf(test::paintedLeaf());
     // The same leaf in autumn.
     model::Leaf red = test::paintedLeaf(QStringLiteral("autumn"));
     QImage photo = test::paintedLeafPhoto();
@@ -84,31 +53,20 @@ class LeafExamplesWindow : public QObject {
       }
     }
     QVERIFY(photo.save(&buffer, "PNG"));
-    other_ = editor_->document().addLeaf(red);
-    leaf_ = qobject_cast<LeafWorkspace*>(editor_->window().workspace(QStringLiteral("leaf")));
-    QVERIFY(leaf_);
-    pane_ = &leaf_->pane();
-    editor_->window().openWorkspace(QStringLiteral("leaf"));
-    editor_->window().show();
-    QVERIFY(QTest::qWaitForWindowActive(&editor_->window()));
-    leaf_->show(id_);
+    QVERIFY(open({test::paintedLeaf(), red}));
+    other_ = ids_[1];
   }
   void init() {
-    editor_->document().undoStack().clear();
-    before_ = editor_->document().project();
+    remember();
     editor_->window().messages().dismiss();
     pane_->setFocus();
     leaf_->setStage(Stage::Mask);
     QVERIFY(settle());
   }
   void cleanup() {
-    // Every edit taken back gives the first state.
-    while (editor_->document().undoStack().canUndo()) editor_->document().undoStack().undo();
+    QVERIFY(undoneToTheStart());
     leaf_->toolBox().choose(QStringLiteral("hand"));
     QVERIFY(settle());
-    model::Project now = editor_->document().project();
-    now.view = before_.view;
-    QVERIFY(now == before_);
   }
   void cleanupTestCase() { editor_.reset(); }
 
@@ -127,7 +85,7 @@ class LeafExamplesWindow : public QObject {
     const int own = leaf_->pictures().stages()->grown.regions.count;
     QVERIFY(own > 0);
     QVERIFY(match.match() != alone);
-    shot("leaf_several_examples.png");
+    QVERIFY(shot("leaf_several_examples.png"));
     // A pair by hand with the second leaf.
     const QPointF target = leaf_->pictures().stages()->markers[0];
     drag({target});
@@ -161,7 +119,7 @@ class LeafExamplesWindow : public QObject {
     QVERIFY2(reds > 100 && greens > 100, qPrintable(QString("%1 %2").arg(reds).arg(greens)));
     leaf_->setStage(Stage::Variants);
     QVERIFY(settle());
-    shot("leaf_mixed_variant.png");
+    QVERIFY(shot("leaf_mixed_variant.png"));
     // The last tick taken away: itself again.
     leaf_->toolBox().choose(QStringLiteral("link"));
     QVERIFY(settle());
@@ -185,7 +143,7 @@ class LeafExamplesWindow : public QObject {
     QVERIFY(shown().variants[0].image != shown().variants[1].image);
     leaf_->setStage(Stage::Variants);
     QVERIFY(settle());
-    shot("leaf_gallery.png");
+    QVERIFY(shot("leaf_gallery.png"));
   }
 
   void workIsCancelledInTheMiddle() {
@@ -199,12 +157,12 @@ class LeafExamplesWindow : public QObject {
     // In the middle: something is done, more is left.
     QTRY_VERIFY_WITH_TIMEOUT(!editor_->jobs().running().empty() && editor_->jobs().running().front()->fraction() > 0.05,
                              60000);
-    shot("leaf_working.png");
+    QVERIFY(shot("leaf_working.png"));
     QTest::mouseClick(cancel, Qt::LeftButton);
     QVERIFY(settle());
     QVERIFY(shown().variants.empty());
     QVERIFY(leaf_->variants().makeButton()->isEnabled());
-    QCOMPARE(editor_->document().undoStack().count(), 0);
+    QCOMPARE(undo().count(), 0);
     QVERIFY(!editor_->window().messages().isError());
   }
 
@@ -225,7 +183,7 @@ class LeafExamplesWindow : public QObject {
     width->box()->setValue(7);
     order->box()->setCurrentIndex(3);
     emit order->edited(3, true);
-    shot("leaf_vein_pen.png");
+    QVERIFY(shot("leaf_vein_pen.png"));
     drag({{242, 500}, {290, 470}, {330, 455}, {360, 450}});
     QCOMPARE(shown().veins.back().order, 3);
     QVERIFY(std::abs(shown().veins.back().startWidth - 7) < 0.01);
@@ -242,7 +200,7 @@ class LeafExamplesWindow : public QObject {
     QVERIFY(std::abs(shown().veins.back().startWidth - 11) < 0.01);
     emit own->edited(1, true);
     QCOMPARE(shown().veins.back().order, 2);
-    shot("leaf_vein_numbers.png");
+    QVERIFY(shot("leaf_vein_numbers.png"));
   }
 
   void theInspectorShowsTheNumbersOfTheStage() {
@@ -267,8 +225,8 @@ class LeafExamplesWindow : public QObject {
     // The line runs where the mask ends: a place on the outline is drawn on.
     const QPointF place = leaf_->pictures().stages()->contour[3] * 5;
     QVERIFY(qAlpha(pane_->overlay().full().pixel(place.toPoint())) > 200);
-    shot("leaf_small_photo.png");
-    editor_->document().undoStack().undo();
+    QVERIFY(shot("leaf_small_photo.png"));
+    undo().undo();
     leaf_->show(id_);
   }
 
@@ -297,20 +255,15 @@ class LeafExamplesWindow : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(3), 30000);
     QVERIFY(settle());
     QVERIFY2(said().contains("2 leaves"), qPrintable(said()));
-    QAction* split = nullptr;
-    for (QAction* action : editor_->window().findChildren<QAction*>()) {
-      if (action->text().remove(QLatin1Char('&')) == QLatin1String("Separate Several Leaves")) split = action;
-    }
-    QVERIFY(split);
-    split->trigger();
+    QVERIFY(trigger(QStringLiteral("Separate Several Leaves")));
     QTRY_COMPARE_WITH_TIMEOUT(editor_->document().project().leaves.size(), std::size_t(4), 30000);
     QVERIFY(settle());
     const std::vector<model::Leaf>& leaves = editor_->document().project().leaves;
     QVERIFY(!leaves[2].mask.isNull() && !leaves[3].mask.isNull() && leaves[2].mask != leaves[3].mask);
     // Both come from one step, the photo from another.
-    editor_->document().undoStack().undo();
+    undo().undo();
     QCOMPARE(editor_->document().project().leaves.size(), std::size_t(3));
-    editor_->document().undoStack().undo();
+    undo().undo();
     leaf_->show(id_);
   }
 
@@ -361,7 +314,7 @@ class LeafExamplesWindow : public QObject {
     QCOMPARE(made.size(), std::size_t(1));
     const QColor middle = made[0].image.pixelColor(made[0].image.rect().center() + QPoint(20, 0));
     QVERIFY(middle.alpha() == 255 && middle.red() > middle.green() + 30);
-    shot("leaf_bare_mask.png");
+    QVERIFY(shot("leaf_bare_mask.png"));
     leaf_->show(id_);
   }
 
@@ -384,7 +337,7 @@ class LeafExamplesWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(saidWrong(), 30000);
     QVERIFY2(said().contains(name), qPrintable(said()));
     QCOMPARE(editor_->document().project().leaves.size(), std::size_t(2));
-    QCOMPARE(editor_->document().undoStack().count(), 0);
+    QCOMPARE(undo().count(), 0);
   }
 
   void aPhotoWithoutALeafIsTold() {
@@ -395,8 +348,8 @@ class LeafExamplesWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(saidWrong() && said().contains("no leaf found"), 30000);
     // The photo is there, so that the mask can be painted by hand.
     QCOMPARE(editor_->document().project().leaves.size(), std::size_t(3));
-    shot("leaf_no_leaf.png");
-    editor_->document().undoStack().undo();
+    QVERIFY(shot("leaf_no_leaf.png"));
+    undo().undo();
     leaf_->show(id_);
     QVERIFY(settle());
   }
@@ -411,6 +364,29 @@ class LeafExamplesWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(saidWrong() && said().contains("/proc/windfall"), 30000);
     QSettings().setValue("atlasFile", last);
     QCOMPARE(shown().variants.size(), std::size_t(1));
+  }
+
+  void aFullDiskIsToldAndNothingIsHalfWritten() {
+    test::SmallDisk disk(16);
+    if (!disk.isMounted()) QSKIP("a small disk cannot be mounted here");
+    leaf_->variants().countBox()->setValue(1);
+    QTest::mouseClick(leaf_->variants().makeButton(), Qt::LeftButton);
+    QVERIFY(settle());
+    // The atlas.
+    const QVariant last = QSettings().value("atlasFile");
+    QSettings().setValue("atlasFile", disk.filePath("atlas.png"));
+    leaf_->exportResult(false);
+    QTRY_VERIFY_WITH_TIMEOUT(saidWrong() && said().contains("atlas"), 30000);
+    QVERIFY2(said().contains("No space left"), qPrintable(said()));
+    QVERIFY2(disk.isEmpty(), qPrintable(disk.names()));
+    QVERIFY(shot("leaf_full_disk.png"));
+    QSettings().setValue("atlasFile", last);
+    // The project with its photo.
+    editor_->window().messages().dismiss();
+    QVERIFY(!editor_->window().files().saveTo(disk.filePath("leaf.windfall")));
+    QTRY_VERIFY_WITH_TIMEOUT(saidWrong() && said().contains("leaf.windfall"), 30000);
+    QVERIFY2(disk.isEmpty(), qPrintable(disk.names()));
+    QVERIFY(settle());
   }
 };
 

@@ -1,94 +1,34 @@
 // Mask, structure, veins and markers by hand in the real window, with real events; undo leads back to the start.
-#include <QApplication>
-#include <QMenuBar>
 #include <QPushButton>
-#include <QtTest>
 
-#include "app/editor.h"
-#include "support/painted_leaf.h"
-#include "support/suite.h"
+#include "support/leaf_stage.h"
 #include "widgets/fields/choice_field.h"
 #include "widgets/fields/number_field.h"
-#include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
-#include "widgets/leaf/leaf_workspace.h"
 #include "widgets/leaf/region_match_view.h"
 #include "widgets/leaf/stage_bar.h"
-#include "widgets/look/look.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
 using model::Stage;
 
-class LeafToolsWindow : public QObject {
+class LeafToolsWindow : public QObject, test::LeafStage {
   Q_OBJECT
 
-  std::unique_ptr<app::Editor> editor_;
-  LeafWorkspace* leaf_ = nullptr;
-  ImagePane* pane_ = nullptr;
-  model::AssetId id_;
-  model::Project before_;
-
-  const model::Leaf& shown() { return *editor_->document().project().leaf(id_); }
-  bool settle() { return editor_->settle(60); }
-  QPoint at(ImagePane& pane, QPointF photo) { return pane.toScreen(photo).toPoint(); }
-  void drag(const QList<QPointF>& photo, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mousePress(pane_, Qt::LeftButton, modifiers, at(*pane_, photo.first()));
-    for (const QPointF& point : photo.mid(1)) {
-      QMouseEvent move(QEvent::MouseMove, at(*pane_, point), pane_->mapToGlobal(at(*pane_, point)), Qt::NoButton,
-                       Qt::LeftButton, modifiers);
-      QApplication::sendEvent(pane_, &move);
-    }
-    QTest::mouseRelease(pane_, Qt::LeftButton, modifiers, at(*pane_, photo.last()));
-  }
-  void click(QPointF photo, Qt::KeyboardModifiers modifiers = {}) { drag({photo}, modifiers); }
   int maskAt(int x, int y) { return leaf_->pictures().mask().constScanLine(y)[x]; }
-  void shot(const char* name) {
-    QVERIFY(editor_->window().grab().save(test::outputFolder() + QLatin1Char('/') + QLatin1String(name)));
-  }
-  bool trigger(const QString& text) {
-    for (QAction* action : editor_->window().findChildren<QAction*>()) {
-      QString plain = action->text();
-      if (plain.remove(QLatin1Char('&')) != text) continue;
-      action->trigger();
-      return true;
-    }
-    return false;
-  }
-  /// Every edit taken back gives the first state.
-  void undoneToTheStart() {
-    while (editor_->document().undoStack().canUndo()) QTest::keyClick(pane_, Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(settle());
-    model::Project now = editor_->document().project();
-    now.view = before_.view;
-    QVERIFY(now == before_);
-  }
 
  private slots:
-  void initTestCase() {
-    applyLook(*qApp, Scheme::Dark);
-    editor_ = std::make_unique<app::Editor>();
-    editor_->window().resize(1360, 860);
-    id_ = editor_->document().addLeaf(test::paintedLeaf());
-    leaf_ = qobject_cast<LeafWorkspace*>(editor_->window().workspace(QStringLiteral("leaf")));
-    QVERIFY(leaf_);
-    pane_ = &leaf_->pane();
-    editor_->window().openWorkspace(QStringLiteral("leaf"));
-    editor_->window().show();
-    QVERIFY(QTest::qWaitForWindowActive(&editor_->window()));
-    leaf_->show(id_);
-  }
+  void initTestCase() { QVERIFY(open({test::paintedLeaf()}, {1360, 860})); }
   void init() {
-    editor_->document().undoStack().clear();
-    before_ = editor_->document().project();
+    remember();
     pane_->setFocus();
     leaf_->setStage(Stage::Mask);
     QVERIFY(settle());
     leaf_->toolBox().setToolSize(24);
   }
-  void cleanup() { undoneToTheStart(); }
+  void cleanup() { QVERIFY(undoneToTheStart()); }
   void cleanupTestCase() { editor_.reset(); }
 
   void linesFillsAndWholeMaskEdits() {
@@ -128,7 +68,7 @@ class LeafToolsWindow : public QObject {
     QVERIFY(settle());
     QCOMPARE(maskAt(320, 330), 255);
     QCOMPARE(maskAt(300, 270), 255);
-    shot("leaf_scribble.png");
+    QVERIFY(shot("leaf_scribble.png"));
   }
 
   void aRulerMeasuresTheBlade() {
@@ -144,7 +84,7 @@ class LeafToolsWindow : public QObject {
     const double wanted = QLineF(stages.root, stages.tip).length() * 0.04 / 200;
     QVERIFY2(std::abs(stages.bladeLength - wanted) < 1e-3,
              qPrintable(QStringLiteral("%1 for %2").arg(stages.bladeLength).arg(wanted)));
-    shot("leaf_ruler.png");
+    QVERIFY(shot("leaf_ruler.png"));
   }
 
   void tipsAndHolesAndNumbersAreLive() {
@@ -164,7 +104,7 @@ class LeafToolsWindow : public QObject {
     QVERIFY(settle());
     QVERIFY(leaf_->pictures().stages()->veins.size() > 2 * coarse);
     QCOMPARE(leaf_->pictures().stages()->computed, std::vector<Stage>{Stage::Veins});
-    shot("leaf_micro_veins.png");
+    QVERIFY(shot("leaf_micro_veins.png"));
   }
 
   void veinsAreDrawnAndEdited() {
@@ -184,7 +124,7 @@ class LeafToolsWindow : public QObject {
     QTest::qWait(450);  // The next press is no double click.
     drag({end, end + QPointF(4, -20), end + QPointF(8, -40)});
     QVERIFY(QLineF(shown().veins.back().points.back(), end + QPointF(8, -40)).length() < 3);
-    shot("leaf_vein_edit.png");
+    QVERIFY(shot("leaf_vein_edit.png"));
     const double width = shown().veins.back().startWidth;
     QTest::keyClick(pane_, Qt::Key_Plus);
     QVERIFY(shown().veins.back().startWidth > 1.1 * width);
@@ -205,12 +145,12 @@ class LeafToolsWindow : public QObject {
     QVERIFY(leaf_->stageBar().fieldBox()->isVisible());
     QVERIFY(!pane_->legend().isEmpty());
     QCOMPARE(pane_->legend().ticks.size(), std::size_t(5));
-    shot("leaf_field_structural.png");
+    QVERIFY(shot("leaf_field_structural.png"));
     const QImage first = pane_->overlay().full();
     leaf_->stageBar().setField(model::LeafField::Direction);
     QVERIFY(settle());
     QVERIFY(pane_->overlay().full() != first);
-    shot("leaf_field_direction.png");
+    QVERIFY(shot("leaf_field_direction.png"));
     leaf_->stageBar().setField(model::LeafField::Side);
     QVERIFY(settle());
     QCOMPARE(pane_->legend().swatches.size(), std::size_t(2));
@@ -226,11 +166,11 @@ class LeafToolsWindow : public QObject {
     RegionMatchView& match = leaf_->regionMatch();
     QVERIFY(match.isVisible());
     QVERIFY(match.match().size() > 3);
-    shot("leaf_region_match.png");
+    QVERIFY(shot("leaf_region_match.png"));
     const model::LeafStages& stages = *leaf_->pictures().stages();
     click(stages.markers[0]);
     const QPointF source = stages.markers.back();
-    QTest::mouseClick(&match.pane(), Qt::LeftButton, {}, at(match.pane(), source));
+    QTest::mouseClick(&match.pane(), Qt::LeftButton, {}, on(match.pane(), source));
     QCOMPARE(shown().regionPairs.size(), std::size_t(1));
     QVERIFY(settle());
     click(stages.markers[0], Qt::ControlModifier);

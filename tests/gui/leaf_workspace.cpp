@@ -1,70 +1,29 @@
 // The leaf workspace in the real window, with real events.
-#include <QApplication>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
-#include <QtTest>
 
-#include "app/editor.h"
-#include "support/painted_leaf.h"
-#include "support/suite.h"
+#include "support/leaf_stage.h"
 #include "widgets/fields/number_field.h"
-#include "widgets/leaf/image_pane.h"
 #include "widgets/leaf/leaf_inspector.h"
 #include "widgets/leaf/leaf_pictures.h"
 #include "widgets/leaf/leaf_tool_box.h"
-#include "widgets/leaf/leaf_workspace.h"
 #include "widgets/leaf/stage_bar.h"
 #include "widgets/leaf/variant_delegate.h"
 #include "widgets/leaf/variant_strip.h"
-#include "widgets/look/look.h"
 
 using namespace windfall;
 using namespace windfall::widgets;
 using model::Stage;
 
-class LeafWorkspaceTest : public QObject {
+class LeafWorkspaceTest : public QObject, test::LeafStage {
   Q_OBJECT
 
-  std::unique_ptr<app::Editor> editor_;
-  LeafWorkspace* leaf_ = nullptr;
-  ImagePane* pane_ = nullptr;
-  model::AssetId id_;
-
-  const model::Leaf& shown() { return *editor_->document().project().leaf(id_); }
-  QPoint at(double x, double y) { return pane_->toScreen({x, y}).toPoint(); }
-  void drag(const QList<QPointF>& photo, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mousePress(pane_, Qt::LeftButton, modifiers, at(photo.first().x(), photo.first().y()));
-    for (const QPointF& point : photo.mid(1)) {
-      QMouseEvent move(QEvent::MouseMove, at(point.x(), point.y()), pane_->mapToGlobal(at(point.x(), point.y())),
-                       Qt::NoButton, Qt::LeftButton, modifiers);
-      QApplication::sendEvent(pane_, &move);
-    }
-  }
-  void drop(QPointF photo, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseRelease(pane_, Qt::LeftButton, modifiers, at(photo.x(), photo.y()));
-  }
-  void shot(const char* name) {
-    QVERIFY(editor_->window().grab().save(test::outputFolder() + QLatin1Char('/') + QLatin1String(name)));
-  }
-
  private slots:
-  void initTestCase() { applyLook(*qApp, Scheme::Dark); }
-
   void init() {
-    editor_ = std::make_unique<app::Editor>();
-    editor_->window().resize(1440, 900);
-    id_ = editor_->document().addLeaf(test::paintedLeaf());
-    editor_->document().undoStack().clear();
-    leaf_ = qobject_cast<LeafWorkspace*>(editor_->window().workspace(QStringLiteral("leaf")));
-    QVERIFY(leaf_);
-    pane_ = &leaf_->pane();
-    editor_->window().openWorkspace(QStringLiteral("leaf"));
-    editor_->window().show();
-    QVERIFY(QTest::qWaitForWindowActive(&editor_->window()));
-    leaf_->show(id_);
+    QVERIFY(open());
     leaf_->setStage(Stage::Mask);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(settle());
     QVERIFY(!leaf_->pictures().mask().isNull());
   }
   void cleanup() { editor_.reset(); }
@@ -76,13 +35,12 @@ class LeafWorkspaceTest : public QObject {
     const QImage automatic = leaf_->pictures().mask();
     QVERIFY(automatic.pixelColor(30, 30).red() < 128);
     drag({{30, 30}, {60, 30}, {90, 30}});
-    drop({90, 30});
     QVERIFY(!shown().mask.isNull());
     for (int x = 30; x <= 90; x += 10) QCOMPARE(int(shown().mask.constScanLine(30)[x]), 255);
     // Half of the width to each side, and nothing beyond.
     QCOMPARE(int(shown().mask.constScanLine(30 + 12)[60]), 255);
     QVERIFY(shown().mask.constScanLine(30 + 19)[60] < 128);
-    QCOMPARE(editor_->document().undoStack().count(), 1);
+    QCOMPARE(undo().count(), 1);
     const QImage painted = shown().mask;
     QTest::keyClick(pane_, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(shown().mask.isNull());
@@ -95,13 +53,13 @@ class LeafWorkspaceTest : public QObject {
     QTest::keyClick(pane_, Qt::Key_E);
     leaf_->toolBox().setToolSize(60);
     const QImage before = pane_->overlay().full();
-    drag({{240, 300}, {260, 320}, {240, 340}});
+    press({{240, 300}, {260, 320}, {240, 340}});
     QVERIFY(pane_->overlay().full() != before);
     QTest::keyClick(pane_, Qt::Key_Escape);
     QCOMPARE(pane_->overlay().full(), before);
-    drop({240, 340});
+    release({240, 340});
     QVERIFY(shown().mask.isNull());
-    QCOMPARE(editor_->document().undoStack().count(), 0);
+    QCOMPARE(undo().count(), 0);
   }
 
   void bracketsAndShiftDragChangeTheBrush() {
@@ -112,7 +70,6 @@ class LeafWorkspaceTest : public QObject {
     QTest::keyClick(pane_, Qt::Key_BracketLeft);
     QVERIFY(std::abs(leaf_->toolBox().current().size() - 40) < 1e-6);
     drag({{200, 300}, {230, 300}}, Qt::ShiftModifier);
-    drop({230, 300}, Qt::ShiftModifier);
     QVERIFY(std::abs(leaf_->toolBox().current().size() - 100) < 6);
     QVERIFY(shown().mask.isNull());
   }
@@ -120,47 +77,44 @@ class LeafWorkspaceTest : public QObject {
   void lassoTakesAPartOut() {
     QTest::keyClick(pane_, Qt::Key_L);
     drag({{200, 280}, {280, 280}, {280, 360}, {200, 360}}, Qt::ControlModifier);
-    drop({200, 280}, Qt::ControlModifier);
     QCOMPARE(int(shown().mask.constScanLine(320)[240]), 0);
     QCOMPARE(int(shown().mask.constScanLine(420)[240]), 255);
   }
 
   void rootIsSetByAClick() {
     QTest::keyClick(pane_, Qt::Key_R);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(settle());
     QCOMPARE(leaf_->pictures().wanted(), Stage::Contour);
     drag({{240, 540}});
-    drop({240, 540});
     QVERIFY(shown().root.has_value());
     QVERIFY(QLineF(*shown().root, {240, 540}).length() < 2);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(settle());
     QCOMPARE(leaf_->stageBar().chip(Stage::Contour)->state(), StageState::Edited);
     drag({{240, 540}}, Qt::ControlModifier);
-    drop({240, 540}, Qt::ControlModifier);
     QVERIFY(!shown().root.has_value());
   }
 
   void anotherSeedGrowsOtherVeins() {
     QTest::mouseClick(leaf_->stageBar().chip(Stage::Veins), Qt::LeftButton);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(settle());
     QCOMPARE(leaf_->stageBar().chip(Stage::Veins)->state(), StageState::Automatic);
     QVERIFY(leaf_->pictures().stages()->veins.size() > 2);
     const model::Veins first = leaf_->pictures().stages()->veins;
     const QImage picture = pane_->overlay().full();
     QTest::mouseClick(leaf_->numbers().seed()->dice(), Qt::LeftButton);
     QVERIFY(shown().parameters.veins.seed != 1);
-    QVERIFY(editor_->settle(30));
+    QVERIFY(settle());
     QVERIFY(leaf_->pictures().stages()->veins != first);
     QVERIFY(pane_->overlay().full() != picture);
     QCOMPARE(leaf_->stageBar().chip(Stage::Veins)->state(), StageState::Edited);
-    shot("leaf_veins.png");
+    QVERIFY(shot("leaf_veins.png"));
   }
 
   void everyStageHasAPictureOfThePhotosSize() {
     for (const Stage stage :
          {Stage::Mask, Stage::Contour, Stage::Veins, Stage::Distance, Stage::Regions, Stage::Superpixels}) {
       QTest::mouseClick(leaf_->stageBar().chip(stage), Qt::LeftButton);
-      QVERIFY(editor_->settle(60));
+      QVERIFY(settle());
       QVERIFY2(pane_->overlay().size() == pane_->base().size(), qPrintable(StageBar::title(stage)));
       bool something = false;
       const QImage& full = pane_->overlay().full();
@@ -169,34 +123,32 @@ class LeafWorkspaceTest : public QObject {
       }
       QVERIFY2(something, qPrintable(StageBar::title(stage)));
     }
-    shot("leaf_superpixels.png");
+    QVERIFY(shot("leaf_superpixels.png"));
   }
 
   void anEarlierEditMakesLaterStagesOutOfDate() {
     leaf_->setStage(Stage::Regions);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     leaf_->setStage(Stage::Photo);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     leaf_->numbers().laterals()->box()->setValue(3);
     QCOMPARE(leaf_->stageBar().chip(Stage::Regions)->state(), StageState::OutOfDate);
     QVERIFY(leaf_->stageBar().chip(Stage::Contour)->state() != StageState::OutOfDate);
     leaf_->setStage(Stage::Regions);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     QVERIFY(leaf_->stageBar().chip(Stage::Regions)->state() != StageState::OutOfDate);
   }
 
   void markersComeAndGoByClicks() {
     QTest::keyClick(pane_, Qt::Key_M);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     const std::size_t automatic = leaf_->pictures().stages()->markers.size();
     QVERIFY(shown().markers.empty());
     drag({{242, 120}});
-    drop({242, 120});
     QCOMPARE(shown().markers.size(), automatic + 1);
     QVERIFY(QLineF(shown().markers.back(), {242, 120}).length() < 2);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     drag({{242, 120}}, Qt::ControlModifier);
-    drop({242, 120}, Qt::ControlModifier);
     QCOMPARE(shown().markers.size(), automatic);
     QTest::keyClick(pane_, Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(pane_, Qt::Key_Z, Qt::ControlModifier);
@@ -207,7 +159,7 @@ class LeafWorkspaceTest : public QObject {
     leaf_->variants().countBox()->setValue(3);
     QTest::mouseClick(leaf_->variants().makeButton(), Qt::LeftButton);
     QVERIFY(!leaf_->variants().makeButton()->isEnabled());
-    QVERIFY(editor_->settle(120));
+    QVERIFY(settle(120));
     QCOMPARE(shown().variants.size(), std::size_t(3));
     QCOMPARE(shown().variants[2].seed, quint64(3));
     QListWidget* list = leaf_->variants().list();
@@ -221,17 +173,17 @@ class LeafWorkspaceTest : public QObject {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(2)).center());
     QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(2)).center());
     QCOMPARE(opened.size(), 1);
-    QVERIFY(editor_->settle(60));
+    QVERIFY(settle());
     QCOMPARE(pane_->overlay().size(), shown().variants[2].image.size());
-    shot("leaf_variants.png");
+    QVERIFY(shot("leaf_variants.png"));
     list->setCurrentRow(0);
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Delete);
     QCOMPARE(shown().variants.size(), std::size_t(2));
     QCOMPARE(shown().variants[0].seed, quint64(2));
-    for (int i = 0; i < 3; ++i) editor_->document().undoStack().undo();
+    for (int i = 0; i < 3; ++i) undo().undo();
     QVERIFY(shown().variants.empty());
-    for (int i = 0; i < 3; ++i) editor_->document().undoStack().redo();
+    for (int i = 0; i < 3; ++i) undo().redo();
     QCOMPARE(shown().variants.size(), std::size_t(2));
   }
 
@@ -261,7 +213,7 @@ class LeafWorkspaceTest : public QObject {
     QTest::mouseRelease(pane_, Qt::MiddleButton, {}, QPoint(340, 340));
     QCOMPARE((pane_->toScreen({0, 0}) - before).toPoint(), QPoint(40, 40));
     QTest::keyPress(pane_, Qt::Key_Space);
-    drag({pane_->toPhoto({300, 300}), pane_->toPhoto({260, 260})});
+    press({pane_->toPhoto({300, 300}), pane_->toPhoto({260, 260})});
     QTest::mouseRelease(pane_, Qt::LeftButton, {}, QPoint(260, 260));
     QTest::keyRelease(pane_, Qt::Key_Space);
     QVERIFY(QLineF(pane_->toScreen({0, 0}), before).length() < 3);

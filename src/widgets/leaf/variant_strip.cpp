@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <cmath>
 
 #include "widgets/fields/number_field.h"
 #include "widgets/leaf/variant_delegate.h"
@@ -18,6 +19,16 @@ namespace windfall::widgets {
 
 using model::Aspect;
 using model::Variant;
+
+namespace {
+
+/// Never "-0.0".
+double rounded(double value, int decimals) {
+  const double unit = std::pow(10.0, decimals);
+  return std::round(value * unit) / unit + 0.0;
+}
+
+}  // namespace
 
 VariantStrip::VariantStrip(model::Document& document, QWidget* parent)
     : QWidget(parent),
@@ -120,11 +131,12 @@ void VariantStrip::showScores() {
     if (const auto score = scores_ ? scores_->of(variant) : std::nullopt) {
       line = tr("Q %1 · %2 · Δ %3")
                  .arg(score->quality, 0, 'f', 0)
-                 .arg(score->copyIndex, 0, 'f', 1)
+                 .arg(rounded(score->copyIndex, 1), 0, 'f', 1)
                  .arg(score->diversity, 0, 'f', 0);
       tip += QLatin1Char('\n') + tr("Quality %1 of 100: colour, texture, details and veins beside the photo's own")
                                      .arg(score->quality, 0, 'f', 1);
-      tip += QLatin1Char('\n') + tr("Copy index %1: 0.9 and more is the photo itself").arg(score->copyIndex, 0, 'f', 2);
+      tip += QLatin1Char('\n') +
+             tr("Copy index %1: 0.9 and more is the photo itself").arg(rounded(score->copyIndex, 2), 0, 'f', 2);
       tip += QLatin1Char('\n') +
              tr("Diversity ΔE %1: how unlike the variant before it is").arg(score->diversity, 0, 'f', 1);
     }

@@ -6,6 +6,8 @@
 #include <QProxyStyle>
 #include <QToolTip>
 
+#include "widgets/look/language.h"
+
 static void initResources() { Q_INIT_RESOURCE(resources); }
 
 namespace windfall::widgets {
@@ -106,6 +108,7 @@ const Colors& colors(const QPalette& palette) {
 
 void applyLook(QApplication& application, Scheme scheme) {
   initResources();
+  installPlurals(application);
   const Colors& c = colors(scheme);
   // The palette first: a style sheet polishes widgets with what it finds.
   application.setStyleSheet({});
