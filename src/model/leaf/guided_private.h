@@ -31,8 +31,11 @@ struct PatchMatch {
   std::uint32_t turn = 0;  ///< PatchTurns
 
   bool exists() const { return x >= 0; }
+  // A library's lround is slower than a whole match; a place that exists is never negative.
+  // NOLINTBEGIN(bugprone-incorrect-roundings)
   int column() const { return static_cast<int>(x + 0.5f); }
   int row() const { return static_cast<int>(y + 0.5f); }
+  // NOLINTEND(bugprone-incorrect-roundings)
 };
 
 /// Turns of 1/64 of the circle, then the same ones mirrored: steps in a padded picture of the pixels of a patch.
