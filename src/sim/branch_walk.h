@@ -14,7 +14,7 @@ namespace windfall::sim {
 /// visitor needs of the open links stands by their depth, 0 at a root. Memory is taken when it is made.
 class BranchWalk {
  public:
-  explicit BranchWalk(const std::vector<Link>& links) : entering_(links.size() > 0 ? depthOf(links) : 0) {
+  explicit BranchWalk(const std::vector<Link>& links) : entering_(links.empty() ? 0 : depthOf(links)) {
     path_.resize(entering_.size());
     begin(0);
   }
