@@ -303,6 +303,7 @@ void DetailPass::drawGrids(const Lists& lists, std::size_t first, std::size_t la
   glBindBufferRange(GL_SHADER_STORAGE_BUFFER, 6, lists.memory.id(), offset, static_cast<GLsizeiptr>(runOffset_));
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, lists.memory.id());
   const std::size_t commands = slotOffset(lists) + commandOffset_ + first * sizeof(GridCommand);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL wants an offset so
   glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(commands),
                               static_cast<GLsizei>(last - first), 0);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);

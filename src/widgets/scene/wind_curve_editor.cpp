@@ -103,7 +103,7 @@ void WindCurveEditor::removePoint(int index) {
   std::vector<sim::WindKey> curve = wind_.curve;
   curve.erase(curve.begin() + index);
   chosen_ = -1;
-  apply(std::move(curve), tr("Remove a point of the wind's curve"), true);
+  apply(curve, tr("Remove a point of the wind's curve"), true);
 }
 
 void WindCurveEditor::mousePressEvent(QMouseEvent* event) {
@@ -145,7 +145,7 @@ void WindCurveEditor::mouseMoveEvent(QMouseEvent* event) {
     const auto time = static_cast<float>((event->position().x() - area.left()) / area.width() * span());
     key.time = std::max(low, std::min(high, std::round(time * 20) / 20));
   }
-  apply(std::move(curve), tr("Move a point of the wind's curve"), false);
+  apply(curve, tr("Move a point of the wind's curve"), false);
   const QLocale locale;
   setToolTip({});
   QToolTip::showText(
@@ -183,7 +183,7 @@ void WindCurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
   chosen_ = static_cast<int>(at - curve.begin());
   curve.insert(at, key);
   ++gesture_;
-  apply(std::move(curve), tr("Add a point to the wind's curve"), true);
+  apply(curve, tr("Add a point to the wind's curve"), true);
 }
 
 void WindCurveEditor::keyPressEvent(QKeyEvent* event) {
@@ -213,7 +213,7 @@ void WindCurveEditor::keyPressEvent(QKeyEvent* event) {
   } else {
     return QWidget::keyPressEvent(event);
   }
-  apply(std::move(curve), tr("Move a point of the wind's curve"), true);
+  apply(curve, tr("Move a point of the wind's curve"), true);
 }
 
 /// Keys that move a point are not the window's shortcuts while the editor has the focus.
