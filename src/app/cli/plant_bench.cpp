@@ -146,8 +146,6 @@ Result<QString> largeProject(const QTemporaryDir& folder, bool adaptive) {
   project.plants = {plant};
   project.scene.trees = {tree};
   project.scene.leaves.season = 0;
-  // Each has its leaf: there is room for fewer than organs.
-  project.scene.leaves.count = static_cast<int>(5 * kOrgans);
   project.scene.detail.adaptive = adaptive;
   project.view.camera.target = {0, 8, 0};
   project.view.camera.distance = 30;

@@ -172,10 +172,7 @@ void PlantWorkspace::growPreset(const QString& name) {
   Result<model::Plant> plant =
       model::plantOfPreset(model::PresetLibrary(), name, context_.document.project().plants.size() + 1);
   if (plant) {
-    model::Document& document = context_.document;
-    document.undoStack().beginMacro(tr("Add %1").arg(plant->name));
     addPlant(std::move(*plant), {}, false);
-    document.undoStack().endMacro();
   } else {
     emit message(QString::fromStdString(plant.error().message), true);
   }
