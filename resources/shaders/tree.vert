@@ -1,5 +1,8 @@
 #include "frame.glsl"
 #include "skin.glsl"
+#ifdef PIECES
+#include "pieces.glsl"
+#endif
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
@@ -31,7 +34,11 @@ float highlighted(uint link) {
 
 void main() {
   mat4 skin = skinMatrix(firstLink, links, weights);
-  worldPosition = (skin * vec4(position, 1.0)).xyz;
+  vec3 place = position;
+#ifdef PIECES
+  place += normal * pieceWidening(firstLink);
+#endif
+  worldPosition = (skin * vec4(place, 1.0)).xyz;
   worldNormal = mat3(skin) * normal;
   textureUv = uv;
   barkRepeats = repeats;

@@ -55,6 +55,10 @@ struct MeshPart {
   std::uint32_t firstIndex = 0, indexCount = 0;
   int material = 0;
   bool hidden = false;  ///< its leaves became instances
+  /// Equal pieces that touch nothing, in an order whose every beginning is spread over the whole part, and a piece's
+  /// width (m): from afar fewer and wider ones show the same. 0: one piece.
+  std::uint32_t pieces = 0;
+  float width = 0;
 };
 
 struct PlantSkeleton;

@@ -58,8 +58,8 @@ Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress, W
   geometry.maxInfluences = 2;
   geometry.wood = woodMesh;
   grower::buildBark(axes, geometry);
-  const auto wood = static_cast<std::uint32_t>(geometry.indices.size());
-  grower::placeLeaves(axes, naturalLeafArea(geometry.bones, findBranches(geometry.bones)), settings.seed, geometry);
+  geometry.parts.push_back({0, static_cast<std::uint32_t>(geometry.indices.size()), 0, false});
+  grower::placeLeaves(axes, naturalLeafArea(geometry.bones, findBranches(geometry.bones)), settings.seed, 1, geometry);
   Material bark;
   bark.name = QStringLiteral("bark");
   bark.baseColor = vec4(1);
@@ -70,9 +70,6 @@ Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress, W
   stalk.name = QStringLiteral("stalk");
   stalk.baseColor = growth::twigLook(BarkLook::Plain).colour;
   geometry.materials = {bark, stalk};
-  geometry.parts.push_back({0, wood, 0, false});
-  const auto all = static_cast<std::uint32_t>(geometry.indices.size());
-  if (all > wood) geometry.parts.push_back({wood, all - wood, 1, false});
   progress.report(1);
   return geometry;
 }

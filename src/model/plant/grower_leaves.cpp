@@ -4,43 +4,21 @@
 #include "kernels/random.h"
 #include "model/plant/frames.h"
 #include "model/plant/grower_private.h"
+#include "model/plant/short_shoots.h"
 
 namespace windfall::model::grower {
 
 namespace {
 
 constexpr float kGoldenAngle = 2.39996323f;
-constexpr float kBlade = 0.08f;           ///< m
+constexpr float kBlade = 0.08f;  ///< m
+constexpr float kShootRadius = 0.0014f;
 constexpr double kLeafArea = 0.65 * 0.6;  ///< of the squared blade length: 0.65 L W, W = 0.6 L
 constexpr int kLeavesOnShoot = 6;
 
-struct Shoot {
-  vec3 base{0}, direction{0}, away{0};
-  float length = 0;
-  std::uint32_t bone = 0;
+struct Shoot : ShortShoot {
+  vec3 away{0};
 };
-
-/// A thin three-sided cone, moved by the twig's bone alone.
-void addStalk(const Shoot& shoot, PlantGeometry& geometry) {
-  const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
-  const quat frame = alongZ(shoot.direction);
-  Vertex vertex{};
-  vertex.bones[0] = shoot.bone;
-  vertex.weights[0] = 1;
-  for (int k = 0; k < 3; ++k) {
-    const float angle = 2.0943951f * static_cast<float>(k);
-    vertex.normal = frame * vec3(std::cos(angle), std::sin(angle), 0);
-    vertex.position = shoot.base + vertex.normal * 0.0014f;
-    vertex.uv = {static_cast<float>(k) / 3, 0};
-    geometry.vertices.push_back(vertex);
-  }
-  vertex.normal = shoot.direction;
-  vertex.position = shoot.base + shoot.direction * shoot.length;
-  vertex.uv = {0.5f, -1};
-  geometry.vertices.push_back(vertex);
-  geometry.indices.insert(geometry.indices.end(), {first, first + 1, first + 3, first + 1, first + 2, first + 3,
-                                                   first + 2, first, first + 3, first, first + 2, first + 1});
-}
 
 void addLeaves(const Shoot& shoot, const Bone& bone, quint64 seed, std::uint32_t number, PlantGeometry& geometry) {
   const quat frame = alongZ(shoot.direction), boneFrame = alongZ(bone.tail - bone.head);
@@ -73,7 +51,7 @@ float leafyLength(const Axis& axis, std::size_t link, int outermost) {
 
 }  // namespace
 
-void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, PlantGeometry& geometry) {
+void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, int material, PlantGeometry& geometry) {
   int outermost = 0;
   for (const Axis& axis : axes) outermost = std::max(outermost, axis.order);
   double metres = 0;
@@ -85,6 +63,7 @@ void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, Plant
   const double shoots = std::min(area / (kLeafArea * static_cast<double>(kBlade * kBlade)), 200'000.0) / kLeavesOnShoot;
   double carried = 0.5;
   std::uint32_t number = 0;
+  std::vector<ShortShoot> bare;
   for (const Axis& axis : axes) {
     for (std::size_t i = 0; i + 1 < axis.nodes.size(); ++i) {
       const double wanted = shoots * static_cast<double>(leafyLength(axis, i, outermost)) / metres + carried;
@@ -101,11 +80,13 @@ void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, Plant
         shoot.direction = glm::normalize(0.64f * tangent + 0.77f * shoot.away + vec3(0, 0.15f, 0));
         shoot.length = 0.09f + 0.14f * uniform(seed, 37, number);
         shoot.base = curvePoint(axis, i, share);
-        addStalk(shoot, geometry);
+        shoot.radius = kShootRadius;
+        bare.push_back(shoot);
         addLeaves(shoot, geometry.bones[bone], seed, number, geometry);
       }
     }
   }
+  addShortShoots(bare, material, geometry);
 }
 
 }  // namespace windfall::model::grower

@@ -39,8 +39,9 @@ vec3 curveTangent(const Axis& axis, std::size_t link, float share);
 void buildBark(const std::vector<Axis>& axes, PlantGeometry& geometry, const SurfaceSettings& surface = {},
                float barkFrom = 0);
 
-/// Short shoots on the outer axes and the leaves on them; `area` is the one-sided area wanted, m2.
-void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, PlantGeometry& geometry);
+/// Short shoots, a part of this material, on the outer axes and the leaves on them; `area` is the one-sided area
+/// wanted, m2.
+void placeLeaves(const std::vector<Axis>& axes, double area, quint64 seed, int material, PlantGeometry& geometry);
 
 /// Smooth value noise -1..1 that repeats after `width` by `height` cells.
 float tileNoise(quint64 seed, float x, float y, int width, int height);

@@ -45,6 +45,10 @@ struct Part {
   std::uint32_t firstIndex = 0, indexCount = 0;
   int material = 0;
   bool adaptive = false;  ///< a tree's adaptive mesh stands for it, if it has one
+  /// Equal pieces, each with vertices and indices of its own, in an order whose every beginning is spread over the
+  /// whole part, and a piece's width (m): from afar fewer and wider ones are drawn. 0: one piece.
+  std::uint32_t pieces = 0;
+  float width = 0;
 };
 
 /// A skinned mesh, shared by all trees of one plant.

@@ -74,8 +74,8 @@ Status check(const SceneContent& content) {
 DetailCamera detailCamera(const View& view, float tolerance) {
   DetailCamera camera;
   camera.eye = view.eye;
-  const float tangent = std::tan(std::clamp(view.fieldOfView, 0.02f, 2.8f) * 0.5f);
-  camera.scale = static_cast<float>(view.height) / (2 * tangent) / std::max(tolerance, 0.01f);
+  const float tangent = view.tangent();
+  camera.scale = view.pixelsPerRadian() / std::max(tolerance, 0.01f);
   vec3 forward = view.target - view.eye;
   forward = glm::length(forward) > 1e-6f ? glm::normalize(forward) : vec3(0, 0, -1);
   const vec3 above = std::abs(forward.y) > 0.9999f ? vec3(0, 0, -1) : vec3(0, 1, 0);

@@ -115,7 +115,7 @@ double DetailStage::draw(const View& view, std::span<const mat4> bones, bool ada
     impl.adaptive.choose(DetailPass::Target::Picture, detailCamera(shown, view.tolerance), slot.bones);
     impl.adaptive.draw(false);
   } else {
-    impl.trees.draw(false);
+    impl.trees.draw(false, false, {view.eye, view.pixelsPerRadian()}, bones);
   }
   if (smooth) {
     glBlitNamedFramebuffer(target, impl.framebuffer.id(), 0, 0, impl.width, impl.height, 0, 0, impl.width, impl.height,

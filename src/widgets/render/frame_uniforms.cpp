@@ -21,7 +21,7 @@ FrameUniforms frameUniforms(const View& view, const SkyLight& sky, const ShadowF
   forward = glm::length(forward) > 1e-6f ? glm::normalize(forward) : vec3(0, 0, -1);
   const vec3 above = std::abs(forward.y) > 0.9999f ? vec3(0, 0, -1) : vec3(0, 1, 0);
   const vec3 right = glm::normalize(glm::cross(forward, above)), up = glm::cross(right, forward);
-  const float tangent = std::tan(std::clamp(view.fieldOfView, 0.02f, 2.8f) * 0.5f);
+  const float tangent = view.tangent();
   const float aspect = static_cast<float>(view.width) / static_cast<float>(std::max(1, view.height));
   // clip = (x / (tan aspect), y / tan, near, -z): depth near / distance.
   mat4& m = out.viewProjection;

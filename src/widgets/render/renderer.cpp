@@ -153,7 +153,7 @@ void Renderer::Impl::sortLeaves(const View& view, const FrameUniforms& frame) {
   const int slot = ring.newest();
   if (slot < 0) return;
   const bool high = view.quality == Quality::High;
-  const float scale = static_cast<float>(view.height) / (2 * glm::length(vec3(frame.up)));
+  const float scale = view.pixelsPerRadian();
   // A coarse view's pixels are twice as large: the same leaves turn into cards.
   const CardSight far{frame.viewProjection,
                       view.eye,
@@ -191,7 +191,7 @@ void Renderer::Impl::drawShadows(const View& view, const ShadowFit& fit) {
   if (slot < 0) return;
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.2f, 1.f);
-  counts.calls += trees.drawShadow(fit.toClip, view.adaptive);
+  counts.calls += trees.drawShadow(fit.toClip, view.adaptive, {vec3(0), 1 / fit.texel, true}, ring.slot(slot).bones);
   if (view.adaptive) counts.calls += detail.drawShadow(fit.toClip);
   counts.calls += leaves.drawShadow(fit.toClip);
   glBindTextureUnit(0, noise.id());
@@ -214,7 +214,7 @@ void Renderer::Impl::drawPicture(const View& view) {
   if (const int slot = ring.newest(); slot >= 0) {
     // The adaptive mesh's selection has had this place since the frame was bound.
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 7, linkColors.id());
-    counts.calls += trees.draw(high, view.adaptive);
+    counts.calls += trees.draw(high, view.adaptive, {view.eye, view.pixelsPerRadian()}, ring.slot(slot).bones);
     if (view.adaptive) counts.calls += detail.draw(high);
     counts.leafCalls = leaves.draw(high);
     counts.cardCalls = cards.draw(high, view.season);

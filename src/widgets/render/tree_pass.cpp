@@ -126,7 +126,8 @@ Status TreePass::compile() {
        {link(wood_[0][0], "tree", {"BARE"}), link(wood_[1][0], "tree", {"HIGH_QUALITY", "BARE"}),
         link(wood_[0][1], "tree", {"PICTURED"}), link(wood_[1][1], "tree", {"HIGH_QUALITY", "PICTURED"}),
         link(foliage_[0], "tree", {"FOLIAGE"}), link(foliage_[1], "tree", {"FOLIAGE", "HIGH_QUALITY"}),
-        link(shadow_, "tree_shadow", {})}) {
+        link(pieces_[0], "tree", {"BARE", "PIECES"}), link(pieces_[1], "tree", {"HIGH_QUALITY", "BARE", "PIECES"}),
+        link(shadow_, "tree_shadow", {}), link(pieceShadow_, "tree_shadow", {"PIECES"})}) {
     if (!status) return status;
   }
   return ok();
@@ -202,21 +203,33 @@ Status TreePass::upload(const Mesh& mesh, const std::vector<std::uint32_t>& firs
   out.materials = mesh.materials;
   out.instanceCount = static_cast<GLsizei>(firstLinks.size());
   for (const Vertex& vertex : mesh.vertices) out.bounds.add(vertex.position);
+  const float reach = glm::length(glm::max(glm::abs(out.bounds.lower), glm::abs(out.bounds.upper)));
+  for (const Part& part : mesh.parts) {
+    out.pieces.emplace_back();
+    if (part.pieces > 0 && part.indexCount > 0 && mesh.materials[static_cast<std::size_t>(part.material)].picture < 0) {
+      out.pieces.back().emplace(part, mesh.indices, firstLinks, reach);
+    }
+  }
   if (outOfMemory()) return Error{"not enough graphics memory for a tree's mesh and pictures"};
   return ok();
 }
 
-int TreePass::draw(bool highQuality, bool adaptive) const {
+int TreePass::draw(bool highQuality, bool adaptive, const PieceSight& sight, std::span<const mat4> bones) {
   int calls = 0;
-  for (const GpuMesh& mesh : meshes_) {
+  const std::size_t quality = highQuality ? 1 : 0;
+  for (GpuMesh& mesh : meshes_) {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
-    for (const Part& part : mesh.parts) {
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+      const Part& part = mesh.parts[p];
       if (part.indexCount == 0 || (adaptive && mesh.detailed && part.adaptive)) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool pictured = material.picture >= 0;
-      const std::size_t quality = highQuality ? 1 : 0;
-      glUseProgram((material.foliage ? foliage_[quality] : wood_[quality][pictured ? 1 : 0]).id());
+      const bool scattered = mesh.pieces[p].has_value();
+      glUseProgram((scattered          ? pieces_[quality]
+                    : material.foliage ? foliage_[quality]
+                                       : wood_[quality][pictured ? 1 : 0])
+                       .id());
       if (pictured) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
       glUniform4fv(0, 1, glm::value_ptr(material.baseColor));
       glUniform4f(1, material.roughness, pictured ? 1.f : 0.f, 0.f, kBarkRelief);
@@ -227,9 +240,7 @@ int TreePass::draw(bool highQuality, bool adaptive) const {
       }
       // What was made from a skeleton is closed.
       (part.adaptive ? glEnable : glDisable)(GL_CULL_FACE);
-      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
-                              indexOffset(part.firstIndex), mesh.instanceCount);
-      ++calls;
+      calls += drawPart(mesh, p, sight, bones);
     }
   }
   glDisable(GL_CULL_FACE);
@@ -237,22 +248,31 @@ int TreePass::draw(bool highQuality, bool adaptive) const {
   return calls;
 }
 
-int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive) const {
+int TreePass::drawPart(GpuMesh& mesh, std::size_t index, const PieceSight& sight, std::span<const mat4> bones) {
+  if (mesh.pieces[index]) return mesh.pieces[index]->draw(sight, bones) ? 1 : 0;
+  const Part& part = mesh.parts[index];
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
+                          indexOffset(part.firstIndex), mesh.instanceCount);
+  return 1;
+}
+
+int TreePass::drawShadow(const mat4& lightMatrix, bool adaptive, const PieceSight& sight, std::span<const mat4> bones) {
   int calls = 0;
-  glUseProgram(shadow_.id());
-  glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
-  for (const GpuMesh& mesh : meshes_) {
+  for (const Program* program : {&shadow_, &pieceShadow_}) {
+    glProgramUniformMatrix4fv(program->id(), 0, 1, GL_FALSE, glm::value_ptr(lightMatrix));
+  }
+  for (GpuMesh& mesh : meshes_) {
     if (mesh.instanceCount == 0) continue;
     glBindVertexArray(mesh.array.id());
-    for (const Part& part : mesh.parts) {
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+      const Part& part = mesh.parts[p];
       if (part.indexCount == 0 || (adaptive && mesh.detailed && part.adaptive)) continue;
       const Material& material = mesh.materials[static_cast<std::size_t>(part.material)];
       const bool tested = material.foliage && material.picture >= 0;
       if (tested) glBindTextureUnit(3, mesh.pictures[static_cast<std::size_t>(material.picture)].id());
+      glUseProgram((mesh.pieces[p] ? pieceShadow_ : shadow_).id());
       glUniform1f(1, tested ? 1.f : 0.f);
-      glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
-                              indexOffset(part.firstIndex), mesh.instanceCount);
-      ++calls;
+      calls += drawPart(mesh, p, sight, bones);
     }
   }
   return calls;

@@ -1,6 +1,8 @@
 // From where a scene is seen, and in which light.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +34,11 @@ struct View {
   bool adaptive = true;     ///< trees that have an adaptive mesh are drawn with it, else with their whole mesh
   float tolerance = 0.5f;   ///< px that an adaptive mesh may be off; High halves it
   float cardsBelow = 1.5f;  ///< px of a leaf's length below which cards stand for clusters; 0: never; High halves it
+
+  /// Of half the field of view.
+  float tangent() const { return std::tan(std::clamp(fieldOfView, 0.02f, 2.8f) * 0.5f); }
+  /// Px that a metre at a distance of one metre spans.
+  float pixelsPerRadian() const { return static_cast<float>(height) / (2 * tangent()); }
 };
 
 }  // namespace windfall::render

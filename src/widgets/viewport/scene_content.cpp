@@ -75,7 +75,8 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale, bool wood) {
     const bool adaptive = followsSkeleton(geometry) && (part.material == 0 || isTwig(geometry, part.material));
     if (part.hidden) continue;
     if (wood) {
-      mesh.parts.push_back({part.firstIndex, part.indexCount, part.material, adaptive});
+      mesh.parts.push_back(
+          {part.firstIndex, part.indexCount, part.material, adaptive, part.pieces, part.width * scale});
       continue;
     }
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
@@ -87,7 +88,8 @@ render::Mesh makeMesh(const model::LoadedPlant& plant, float scale, bool wood) {
       }
       mesh.indices.push_back(to);
     }
-    mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, part.material, adaptive});
+    mesh.parts.push_back({first, static_cast<std::uint32_t>(mesh.indices.size()) - first, part.material, adaptive,
+                          part.pieces, part.width * scale});
   }
   for (const model::Material& from : geometry.materials) {
     render::Material to{from.baseColor, -1, from.roughness, from.leaf};

@@ -6,6 +6,7 @@
 
 #include "kernels/random.h"
 #include "model/plant/frames.h"
+#include "model/plant/short_shoots.h"
 
 namespace windfall::model::growth {
 
@@ -23,9 +24,9 @@ float decussate(int n) {
 
 class Foliage {
  public:
-  Foliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& settings, quint64 seed,
+  Foliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& settings, quint64 seed, int material,
           PlantGeometry& geometry)
-      : grown_(grown), tree_(tree), s_(settings), seed_(seed), geometry_(geometry) {}
+      : grown_(grown), tree_(tree), s_(settings), seed_(seed), material_(material), geometry_(geometry) {}
 
   void place() {
     const std::vector<double> reach = reachOf(grown_);
@@ -56,6 +57,7 @@ class Foliage {
         carried = wanted - count;
       }
     }
+    addShortShoots(bare_, material_, geometry_);
   }
 
  private:
@@ -89,7 +91,8 @@ class Foliage {
       vec3 direction = 0.64f * along + 0.77f * away + vec3(0, 0.35f - 1.4f * down, 0);
       direction = glm::normalize(direction);
       const float length = static_cast<float>(s_.shoot) * (0.45f + 0.75f * random(1));
-      stalk(bone, base, direction, length, axis, link);
+      const float radius = std::min(0.0016f, 0.6f * axis.radii[link + 1]);
+      bare_.push_back({base, direction, length, radius, bone});
       cluster(bone, base, direction, length, away);
     }
     ++number_;
@@ -129,34 +132,13 @@ class Foliage {
     geometry_.leafSites.push_back(site);
   }
 
-  /// A thin three-sided cone; one material with the twigs.
-  void stalk(std::uint32_t bone, vec3 base, vec3 direction, float length, const grower::Axis& axis, std::size_t link) {
-    const float radius = std::min(0.0016f, 0.6f * axis.radii[link + 1]);
-    const auto first = static_cast<std::uint32_t>(geometry_.vertices.size());
-    const quat frame = alongZ(direction);
-    Vertex vertex{};
-    vertex.bones[0] = bone;
-    vertex.weights[0] = 1;
-    for (int k = 0; k < 3; ++k) {
-      const float angle = 2.0943951f * static_cast<float>(k);
-      vertex.normal = frame * vec3(std::cos(angle), std::sin(angle), 0);
-      vertex.position = base + vertex.normal * radius;
-      vertex.uv = {static_cast<float>(k) / 3, 0};
-      geometry_.vertices.push_back(vertex);
-    }
-    vertex.normal = direction;
-    vertex.position = base + direction * length;
-    vertex.uv = {0.5f, -1};
-    geometry_.vertices.push_back(vertex);
-    geometry_.indices.insert(geometry_.indices.end(), {first, first + 1, first + 3, first + 1, first + 2, first + 3,
-                                                       first + 2, first, first + 3, first, first + 2, first + 1});
-  }
-
   const Grown& grown_;
   const AxisTree& tree_;
   const FoliageSettings& s_;
   quint64 seed_;
+  int material_;
   PlantGeometry& geometry_;
+  std::vector<ShortShoot> bare_;
   std::uint32_t number_ = 0;
 };
 
@@ -186,13 +168,13 @@ double leafAreaOf(const Grown& grown, const FoliageSettings& foliage) {
   return foliage.amount * std::min(pipe, foliage.mostLayers * std::numbers::pi * crown * crown);
 }
 
-void placeFoliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& foliage, quint64 seed,
+void placeFoliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& foliage, quint64 seed, int material,
                   PlantGeometry& geometry) {
   if (!grown.leaves.empty()) {
     if (foliage.leaves) placeGiven(grown, tree, geometry);
     return;
   }
-  if (foliage.length > 1e-4 && foliage.amount > 0) Foliage(grown, tree, foliage, seed, geometry).place();
+  if (foliage.length > 1e-4 && foliage.amount > 0) Foliage(grown, tree, foliage, seed, material, geometry).place();
 }
 
 }  // namespace windfall::model::growth

@@ -7,10 +7,10 @@
 
 namespace windfall::model::growth {
 
-/// Short shoots and the leaves on them; `geometry` has the bones already. Stalks of short shoots are added to its mesh
-/// even where the plant is bare.
+/// Short shoots and the leaves on them; `geometry` has the bones already. Short shoots are added to its mesh as a
+/// part of this material, even where the plant is bare.
 void placeFoliage(const Grown& grown, const AxisTree& tree, const FoliageSettings& foliage, quint64 seed,
-                  PlantGeometry& geometry);
+                  int material, PlantGeometry& geometry);
 
 /// One-sided leaf area that a plant of this trunk and crown bears, m2.
 double leafAreaOf(const Grown& grown, const FoliageSettings& foliage);

@@ -33,12 +33,11 @@ void addBones(const std::vector<grower::Axis>& axes, PlantGeometry& geometry) {
   }
 }
 
-/// Triangles in three parts: bark, the twigs that are too thin to have any, and from `stalks` on the stalks of short
-/// shoots, which are no part of the skeleton.
-void splitTwigs(float thinner, std::size_t stalks, PlantGeometry& geometry) {
+/// Triangles in two parts: bark, and the twigs that are too thin to have any.
+void splitTwigs(float thinner, PlantGeometry& geometry) {
   std::vector<std::uint32_t> bark, twigs;
   const auto& from = geometry.indices;
-  for (std::size_t i = 0; i + 2 < stalks; i += 3) {
+  for (std::size_t i = 0; i + 2 < from.size(); i += 3) {
     const bool thin = geometry.bones[geometry.vertices[from[i]].bones[0]].radius < thinner;
     std::vector<std::uint32_t>& part = thin ? twigs : bark;
     part.insert(part.end(), {from[i], from[i + 1], from[i + 2]});
@@ -46,11 +45,10 @@ void splitTwigs(float thinner, std::size_t stalks, PlantGeometry& geometry) {
   std::copy(twigs.begin(), twigs.end(), std::copy(bark.begin(), bark.end(), geometry.indices.begin()));
   std::uint32_t first = 0;
   int material = 0;
-  for (const std::size_t count : {bark.size(), twigs.size(), from.size() - stalks}) {
+  for (const std::size_t count : {bark.size(), twigs.size()}) {
     const auto size = static_cast<std::uint32_t>(count);
     // What an adaptive mesh stands for is told by parts too.
-    const bool stands = material < 2 && geometry.wood == WoodMesh::Left;
-    if (size > 0 || stands) geometry.parts.push_back({first, size, material, false});
+    if (size > 0 || geometry.wood == WoodMesh::Left) geometry.parts.push_back({first, size, material, false});
     first += size, ++material;
   }
 }
@@ -66,8 +64,8 @@ PlantGeometry dressed(const Grown& grown, const GrowerSettings& settings, WoodMe
   geometry.wood = wood;
   const TwigLook thin = twigLook(settings.wood.bark);
   grower::buildBark(tree.axes, geometry, {}, thin.thinner);
-  const std::size_t stalks = geometry.indices.size();
-  placeFoliage(grown, tree, settings.foliage, settings.seed, geometry);
+  splitTwigs(thin.thinner, geometry);
+  placeFoliage(grown, tree, settings.foliage, settings.seed, 2, geometry);
   Material bark, twig;
   bark.name = QStringLiteral("bark");
   bark.baseColor = vec4(1);
@@ -80,7 +78,6 @@ PlantGeometry dressed(const Grown& grown, const GrowerSettings& settings, WoodMe
   twig.thinner = thin.thinner;
   stalk.name = QStringLiteral("stalk");
   geometry.materials = {bark, twig, stalk};
-  splitTwigs(thin.thinner, stalks, geometry);
   return geometry;
 }
 
