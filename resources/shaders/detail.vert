@@ -7,26 +7,28 @@ layout(std430, binding = 7) readonly buffer LinkColors { uint linkColors[]; };
 layout(std430, binding = 3) readonly buffer Barks { vec4 barks[]; };  // colour and width of the tile, look, twigs, mean
 invariant gl_Position;
 
-layout(location = 0) out vec3 worldPosition;
+// What is drawn may cover no middle of a pixel: there its slopes would carry colours below zero.
 layout(location = 1) centroid out vec3 worldNormal;
 #ifdef THIN
-layout(location = 2) out vec3 albedo;
+layout(location = 0) centroid out vec3 worldPosition;
+layout(location = 2) centroid out vec3 albedo;
 layout(location = 3) centroid out vec3 around;
-layout(location = 4) out vec4 air;
-layout(location = 5) out vec2 shine;
+layout(location = 4) centroid out vec4 air;
+layout(location = 5) centroid out vec2 shine;
 #else
+layout(location = 0) out vec3 worldPosition;
 layout(location = 2) out vec2 textureUv;
 layout(location = 3) out vec3 restPosition;
 layout(location = 4) out vec3 restNormal;
-layout(location = 5) out float highlight;
+layout(location = 5) centroid out float highlight;
 layout(location = 6) centroid out vec3 around;
 layout(location = 7) centroid out vec3 behind;
-layout(location = 8) out vec4 air;
+layout(location = 8) centroid out vec4 air;
 layout(location = 9) out float barkRepeats;
-layout(location = 10) out vec4 barkTint;
-layout(location = 11) out vec4 dataColor;
+layout(location = 10) centroid out vec4 barkTint;
+layout(location = 11) centroid out vec4 dataColor;
 layout(location = 12) flat out uint layer;
-layout(location = 13) out float twig;
+layout(location = 13) centroid out float twig;
 layout(location = 14) flat out vec4 baseColor;
 layout(location = 15) flat out vec4 look;
 layout(location = 16) flat out vec3 twigColor;

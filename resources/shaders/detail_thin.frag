@@ -3,12 +3,12 @@
 #define ONE_TAP
 #include "frame.glsl"
 #include "surface.glsl"
-layout(location = 0) in vec3 worldPosition;
+layout(location = 0) centroid in vec3 worldPosition;
 layout(location = 1) centroid in vec3 worldNormal;
-layout(location = 2) in vec3 albedo;
+layout(location = 2) centroid in vec3 albedo;
 layout(location = 3) centroid in vec3 around;
-layout(location = 4) in vec4 air;
-layout(location = 5) in vec2 shine;  // roughness, highlight
+layout(location = 4) centroid in vec4 air;
+layout(location = 5) centroid in vec2 shine;  // roughness, highlight
 layout(location = 0) out vec4 color;
 
 void main() {

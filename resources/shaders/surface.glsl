@@ -27,7 +27,8 @@ float specular(vec3 normal, vec3 view, float roughness) {
 
 // Chosen links: the accent over the surface, brighter towards the silhouette.
 vec3 accented(vec3 light, vec3 normal, vec3 view, float chosen) {
-  float rim = pow(1.0 - abs(dot(normal, view)), 2.0);
+  // A product, since a power of what rounding leaves below zero is no number.
+  float edge = 1.0 - abs(dot(normal, view)), rim = edge * edge;
   return mix(light, accent.rgb * (0.55 * dot(light, vec3(0.33)) + 0.35 + 1.1 * rim), chosen * accent.w);
 }
 

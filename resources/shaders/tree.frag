@@ -6,18 +6,18 @@ layout(location = 1) centroid in vec3 worldNormal;
 layout(location = 2) in vec2 textureUv;
 layout(location = 3) in vec3 restPosition;
 layout(location = 4) in vec3 restNormal;
-layout(location = 5) in float highlight;
+layout(location = 5) centroid in float highlight;
 layout(location = 6) centroid in vec3 around;
 layout(location = 7) centroid in vec3 behind;
-layout(location = 8) in vec4 air;
+layout(location = 8) centroid in vec4 air;
 layout(location = 9) in float barkRepeats;
-layout(location = 10) in vec4 barkTint;
-layout(location = 11) in vec4 dataColor;
+layout(location = 10) centroid in vec4 barkTint;
+layout(location = 11) centroid in vec4 dataColor;
 layout(location = 0) out vec4 color;
 #ifdef LAYERED
 // Many plants in one draw call: a layer each.
 layout(location = 12) flat in uint layer;
-layout(location = 13) in float twig;
+layout(location = 13) centroid in float twig;
 layout(binding = 3) uniform sampler2DArray pictures;
 // From the vertex shader: pixels beside a triangle, which derivatives need, may read nothing from a buffer.
 layout(location = 14) flat in vec4 baseColor;

@@ -19,13 +19,13 @@ layout(location = 1) centroid out vec3 worldNormal;
 layout(location = 2) out vec2 textureUv;
 layout(location = 3) out vec3 restPosition;
 layout(location = 4) out vec3 restNormal;
-layout(location = 5) out float highlight;
+layout(location = 5) centroid out float highlight;
 layout(location = 6) centroid out vec3 around;  // diffuse light on the side of the normal, and on the other
 layout(location = 7) centroid out vec3 behind;
-layout(location = 8) out vec4 air;
+layout(location = 8) centroid out vec4 air;
 layout(location = 9) out float barkRepeats;
-layout(location = 10) out vec4 barkTint;
-layout(location = 11) out vec4 dataColor;  // sRGB; alpha 0: bark
+layout(location = 10) centroid out vec4 barkTint;
+layout(location = 11) centroid out vec4 dataColor;  // sRGB; alpha 0: bark
 
 float highlighted(uint link) {
   uint bit = firstLink + link;

@@ -41,7 +41,7 @@ Result<model::Project> forest() {
     tree.heading = 73.0 * i;
     project.scene.trees.push_back(tree);
   }
-  project.scene.leaves.count = 100'000;
+  project.scene.leaves.count = 1'000'000;
   project.scene.leaves.season = 0;
   return project;
 }

@@ -246,9 +246,9 @@ void SceneInspector::addDetail() {
       ->setToolTip(tr("How far adaptive wood may be off in the picture"));
   auto* leaves = group->add(new ChoiceField(tr("Leaves"), {tr("Cards far away"), tr("Every leaf")}, 0));
   keep("detail.cards", leaves);
-  leaves->setToolTip(tr(
-      "Far away, pictures of clusters, painted from the tree's own leaves, stand for the leaves themselves; live views "
-      "without a graphics card draw fewer leaves instead, which is faster there"));
+  leaves->setToolTip(
+      tr("Far away, pictures of clusters, painted from the tree's own leaves, stand for the leaves themselves; without "
+         "a graphics card only as soon as nothing moves"));
   connect(leaves, &ChoiceField::edited, this, [this, part](int index) {
     Detail detail = document_.project().scene.detail;
     detail.cards = index == 0;

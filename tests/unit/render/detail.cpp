@@ -223,6 +223,34 @@ TEST_CASE("no vertex of a ring jumps when the camera moves across a change of le
   CHECK(worst < 0.02f);
 }
 
+TEST_CASE("wood whose colour changes along it is nowhere darker than its darkest colour in shadow") {
+  test::Stage stage(320, 180);
+  WINDFALL_NEEDS_OPENGL(stage);
+  render::SceneContent content = test::wavyScene(12);
+  auto mesh = std::make_shared<DetailMesh>(*content.details[0]);
+  for (DetailRing& ring : mesh->rings) ring.tint = ring.v < 10 ? 0xffffffffu : 0xff000000u;
+  content.details[0] = mesh;
+  content.meshes[0].materials.push_back({vec4(0.9f, 0.9f, 0.9f, 1), -1, 0.9f, false});
+  stage.setContent(content);
+  stage.view.eye = {11, 2, 140};
+  stage.view.target = {11, 2, 0};
+  stage.view.fieldOfView = 0.5f;
+  int black = 0;
+  render::Picture picture;
+  for (int step = 0; step < 12; ++step) {
+    const auto slot = stage.renderer->acquire();
+    const std::vector<mat4> bones = test::wavyPose(content, 0.05f * static_cast<float>(step));
+    std::copy(bones.begin(), bones.end(), slot.bones.begin());
+    stage.renderer->publish(slot);
+    picture = stage.draw();
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      if (std::min({picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]}) < 8) ++black;
+    }
+  }
+  CHECK(black == 0);
+  if (black > 0) test::keep(picture, "render_slivers");
+}
+
 TEST_CASE("adaptive meshes that name what they do not have are refused") {
   test::Stage stage(16, 16);
   WINDFALL_NEEDS_OPENGL(stage);
