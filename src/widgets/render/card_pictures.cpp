@@ -23,15 +23,6 @@ Texture samplesOf(GLenum format) {
   return texture;
 }
 
-Texture layersOf(GLenum format, int tile, std::size_t layers) {
-  Texture array = makeTexture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(array.id(), kLevels, format, tile, tile, static_cast<GLsizei>(layers));
-  glTextureParameteri(array.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return array;
-}
-
 }  // namespace
 
 Status CardPainter::compile() {
@@ -81,8 +72,8 @@ Status CardPainter::begin(std::size_t number, const CardPlant& plant, float seas
   }
   const std::size_t layers = plant.nodeCount * kCardViews;
   pictures_ = {};
-  pictures_.colours = layersOf(GL_SRGB8_ALPHA8, plant.tile, layers);
-  pictures_.surfaces = layersOf(GL_RGBA8, plant.tile, layers);
+  pictures_.colours = makeTextureArray(GL_SRGB8_ALPHA8, plant.tile, kLevels, layers);
+  pictures_.surfaces = makeTextureArray(GL_RGBA8, plant.tile, kLevels, layers);
   if (outOfMemory()) return failed;
   GLuint view = 0;
   glGenTextures(1, &view);

@@ -67,6 +67,15 @@ inline Texture makeTexture(GLenum target) {
   glCreateTextures(target, 1, &id);
   return Texture(id);
 }
+/// Square layers with `levels` mipmaps, filtered between them, the rim repeated beyond it.
+inline Texture makeTextureArray(GLenum format, int side, int levels, std::size_t layers) {
+  Texture array = makeTexture(GL_TEXTURE_2D_ARRAY);
+  glTextureStorage3D(array.id(), levels, format, side, side, static_cast<GLsizei>(layers));
+  glTextureParameteri(array.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return array;
+}
 inline VertexArray makeVertexArray() {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);

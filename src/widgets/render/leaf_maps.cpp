@@ -1,6 +1,7 @@
 #include "widgets/render/leaf_maps.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include "widgets/render/leaf_meshes.h"
@@ -49,15 +50,9 @@ std::vector<std::uint8_t> resampledNumbers(const Picture& from, int side) {
   return to;
 }
 
+/// With all mipmaps.
 Texture makeArray(int side, std::size_t layers, GLenum format) {
-  int levels = 1;
-  while ((side >> levels) > 0) ++levels;
-  Texture array = makeTexture(GL_TEXTURE_2D_ARRAY);
-  glTextureStorage3D(array.id(), levels, format, side, side, static_cast<GLsizei>(layers));
-  glTextureParameteri(array.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(array.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return array;
+  return makeTextureArray(format, side, std::bit_width(static_cast<unsigned>(side)), layers);
 }
 
 /// One of the arrays of numbers; layers without such a picture get `plain`.
