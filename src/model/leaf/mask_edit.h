@@ -30,7 +30,8 @@ struct Scribble {
 QImage refinedMask(const QImage& mask, const QImage& photo, const std::vector<Scribble>& scribbles);
 
 /// Every leaf of a photo with several, as masks of its size, largest first: what the ground leaves over, of similar
-/// size as the largest and not running out of the picture. `found`: the mask of one of them. One entry: there is one
+/// size as the largest and not running out of the picture. Leaves that touch come apart where that is sure, and where
+/// the artist cut the mask through. `found`: the mask of one of them, or of some that touch. One entry: there is one
 /// leaf.
 std::vector<QImage> separateLeaves(const QImage& photo, const QImage& found);
 

@@ -5,6 +5,7 @@
 #include "model/leaf/image_cv_private.h"
 #include "model/leaf/mask.h"
 #include "model/leaf/mask_edit.h"
+#include "model/leaf/touching_leaves_private.h"
 
 namespace windfall::model {
 
@@ -21,14 +22,15 @@ std::vector<QImage> separateLeaves(const QImage& photo, const QImage& found) {
   QImage mask = found;
   double largest = 0;
   std::vector<std::pair<double, QImage>> bySize;
-  while (static_cast<int>(bySize.size()) < kMostLeaves) {
+  for (int round = 0; round < kMostLeaves; ++round) {
     const cv::Mat1b white = grayView(mask) > 127;
-    const double area = cv::countNonZero(white);
-    const cv::Rect box = cv::boundingRect(white);
-    const bool cut = box.x <= 0 || box.y <= 0 || box.br().x >= white.cols || box.br().y >= white.rows;
-    if (area < kLeastShare * largest || area < 64) break;
-    if (!cut || bySize.empty()) {
-      bySize.emplace_back(area, toGray(white));
+    if (cv::countNonZero(white) < std::max(64.0, kLeastShare * largest)) break;
+    for (const cv::Mat1b& leaf : leavesOf(white, kLeastShare)) {
+      const double area = cv::countNonZero(leaf);
+      const cv::Rect box = cv::boundingRect(leaf);
+      const bool cut = box.x <= 0 || box.y <= 0 || box.br().x >= leaf.cols || box.br().y >= leaf.rows;
+      if (cut && !bySize.empty()) continue;
+      bySize.emplace_back(area, toGray(leaf));
       largest = std::max(largest, area);
     }
     // What was found becomes ground: the colour around it is laid over it, and the next leaf stands out most.
