@@ -1,6 +1,7 @@
 #include <QBuffer>
 #include <QImageReader>
 
+#include "model/leaf/picture_file.h"
 #include "model/leaf/stages.h"
 
 namespace windfall::model {
@@ -26,6 +27,7 @@ Result<QImage> readPhoto(const SourceFile& file) {
                      .arg(size.height())
                      .toStdString()};
   }
+  if (const Status whole = checkPictureFile(bytes); !whole) return whole.error();
   QImage image;
   if (!reader.read(&image)) return Error{"the picture is damaged: " + reader.errorString().toStdString()};
   if (image.width() < kLeastSide || image.height() < kLeastSide) {

@@ -204,6 +204,7 @@ class Computation {
       if (leaf_.root && !QRectF(result_.photo.rect()).contains(*leaf_.root)) {
         return Error{"the root lies outside the picture"};
       }
+      if (leaf_.root && !nearLeaf(*leaf_.root)) return Error{"the root lies outside the leaf"};
       LeafAxis axis = findAxis(result_.mask, result_.border, leaf_.root);
       if (!leaf_.root && axis.petiole.empty()) {
         axis = rootByVeins(result_.photo, result_.mask, result_.border, axis);
@@ -219,6 +220,18 @@ class Computation {
     }
     result_.contour = simplifyClosed(mergeCollinear(result_.border), epsilon, result_.root, result_.tip);
     return false;
+  }
+
+  /// On the leaf, or beside it as far as a hand may miss: a tenth of its long side.
+  bool nearLeaf(const QPointF& place) const {
+    QRectF box;
+    double nearest = 1e30;
+    for (const QPointF& p : result_.border) {
+      box |= QRectF(p, QSizeF(1, 1));
+      nearest = std::min(nearest, QLineF(p, place).length());
+    }
+    return nearest <= 0.1 * std::max(box.width(), box.height()) ||
+           grayView(result_.mask)(static_cast<int>(place.y()), static_cast<int>(place.x())) > 127;
   }
 
   void measureBlade() {

@@ -52,6 +52,12 @@ class LeafPhoto : public QObject {
     QCOMPARE(photo->pixelColor(5, 5), QColor(Qt::red));
   }
 
+  void moreAfterTheEndIsHarmless() {
+    for (const char* format : {"JPG", "PNG"}) {
+      QVERIFY(readPhoto({"a", test::encoded(halves(QImage::Format_RGB32), format) + QByteArray("a film, or a note")}));
+    }
+  }
+
   void keepsTransparency() {
     QImage image = halves(QImage::Format_RGBA8888);
     image.setPixelColor(3, 3, QColor(10, 20, 30, 77));
@@ -63,12 +69,18 @@ class LeafPhoto : public QObject {
   void oneClearLineForWhatIsNoPhoto_data() {
     QTest::addColumn<QByteArray>("bytes");
     const QByteArray png = test::encoded(paintLeafPhoto({}, 1, 200).photo, "PNG");
+    const QByteArray jpeg = test::encoded(paintLeafPhoto({}, 1, 200).photo, "JPG");
+    QByteArray changed = png;
+    changed[png.size() / 2] = static_cast<char>(changed[png.size() / 2] ^ 0x40);
     QByteArray huge = png;
     qToBigEndian<quint32>(90000, huge.data() + 16);
     qToBigEndian<quint32>(90000, huge.data() + 20);
     QTest::newRow("empty") << QByteArray();
     QTest::newRow("text") << QByteArray("a leaf, green");
     QTest::newRow("cut off") << png.left(png.size() / 2);
+    QTest::newRow("a JPEG cut off") << jpeg.left(jpeg.size() / 2);
+    QTest::newRow("a JPEG without its end") << jpeg.chopped(2);
+    QTest::newRow("a byte changed") << changed;
     QTest::newRow("only a header") << png.left(24);
     QTest::newRow("claims eight thousand megapixels") << huge;
     QTest::newRow("eight pixels") << test::encoded(QImage(4, 2, QImage::Format_RGB32), "PNG");

@@ -121,6 +121,12 @@ class LeafStagesTest : public QObject {
     const Result<LeafStages> stages = run(outside);
     QVERIFY(!stages);
     QVERIFY(QString::fromStdString(stages.error().message).contains("root"));
+    outside.root = QPointF(1, 1);
+    const Result<LeafStages> inTheCorner = run(outside);
+    QVERIFY(!inTheCorner);
+    QCOMPARE(inTheCorner.error().message, std::string("the root lies outside the leaf"));
+    outside.root = stages_.root + QPointF(6, 3);
+    QVERIFY(run(outside));
     Leaf heap = leaf_;
     heap.markers.assign(40, stages_.markers[0]);
     const Result<LeafStages> heaped = run(heap, &stages_);
