@@ -4,6 +4,8 @@
 #include <QBuffer>
 #include <QImage>
 #include <QPainter>
+#include <cmath>
+#include <numbers>
 
 #include "model/leaf/leaf.h"
 #include "model/sample/leaf_painter.h"
@@ -48,6 +50,26 @@ inline QImage ellipseMask(QSize size, const QRectF& box) {
   painter.setBrush(Qt::white);
   painter.setPen(Qt::NoPen);
   painter.drawEllipse(box);
+  return mask;
+}
+
+/// A narrow, bent blade from (100, 150) to (900, 150) with a petiole of 60 px at its left or right end.
+inline QImage willowMask(double width, bool petioleLeft) {
+  QImage mask(1000, 300, QImage::Format_Grayscale8);
+  mask.fill(0);
+  QPainter painter(&mask);
+  QPolygonF outline;
+  for (const int side : {-1, 1}) {
+    for (int i = 0; i <= 80; ++i) {
+      const double t = side < 0 ? i / 80.0 : 1 - i / 80.0, wave = std::sin(std::numbers::pi * t);
+      outline << QPointF(100 + 800 * t, 150 + 25 * wave + side * 0.5 * width * std::pow(wave, 0.7));
+    }
+  }
+  painter.setBrush(Qt::white);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(outline);
+  painter.setPen(QPen(Qt::white, 5));
+  painter.drawLine(petioleLeft ? QLineF(40, 150, 110, 151) : QLineF(960, 150, 890, 151));
   return mask;
 }
 

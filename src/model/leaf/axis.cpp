@@ -99,11 +99,23 @@ std::optional<Stalk> findStalk(const cv::Mat1b& mask) {
   const double size = std::max(mask.cols, mask.rows);
   const cv::Moments m = cv::moments(mask, true);
   const cv::Point2d centre(m.m10 / m.m00, m.m01 / m.m00);
+  cv::Mat1b framed;
+  cv::Mat1f depth;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::distanceTransform(framed, depth, cv::DIST_L2, 5);
+  double inner = 0;
+  cv::minMaxLoc(depth, nullptr, &inner);
+  // In petiole widths from the joint: there a blade is seen to be wider, a narrow one later.
+  const double behind = inner < 0.08 * size ? 5 : 2;
   std::optional<Stalk> best;
   // The smallest disc that takes the petiole leaves its joint where the blade begins; a stout petiole needs a larger
   // one.
-  for (const double share : {0.013, 0.022, 0.04}) {
-    const int radius = std::max(2, static_cast<int>(std::lround(share * size)));
+  struct Disc {
+    double share;   ///< of the leaf's size
+    double narrow;  ///< of the inner radius at most: a narrow blade must outlast it
+  };
+  for (const auto& [share, narrow] : {Disc{0.013, 0.2}, Disc{0.022, 0.3}, Disc{0.04, 0.45}}) {
+    const int radius = std::max(2, static_cast<int>(std::lround(std::min(share * size, narrow * inner))));
     const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
     cv::Mat1b near, padded;
     cv::copyMakeBorder(mask, padded, radius, radius, radius, radius, cv::BORDER_CONSTANT, 0);
@@ -127,7 +139,7 @@ std::optional<Stalk> findStalk(const cv::Mat1b& mask) {
       // A petiole ends abruptly at the blade, the tip of a blade widens by and by.
       const double width = cv::countNonZero(stalk.pixels) / std::max(1.0, cv::norm(way));
       const cv::Point2d inward = way * (-1 / std::max(1e-9, cv::norm(way)));
-      const double widening = widthAcross(mask, stalk.base + 2 * width * inward, inward) / width;
+      const double widening = widthAcross(mask, stalk.base + behind * width * inward, inward) / width;
       stalk.score *= std::clamp((widening - 1.3) / 2.5, 0.15, 1.0);
       stalk.score *= std::clamp(0.6 + 0.5 * outward, 0.2, 1.0) * (out.y > 0 ? 1.0 : 0.75);
 

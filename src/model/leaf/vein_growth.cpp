@@ -90,6 +90,13 @@ class LeafGrid {
     return path;
   }
 
+  /// Radius of the largest disc in the leaf, px.
+  double innerRadius() const {
+    double deepest = 0;
+    cv::minMaxLoc(depth_, nullptr, &deepest);
+    return deepest / scale_;
+  }
+
   /// Share of the straight line that lies on the leaf.
   double straightShare(QPointF from, QPointF to) const {
     int inside = 0;
@@ -228,6 +235,7 @@ class Grower {
       top = std::min(top, p.y()), bottom = std::max(bottom, p.y());
     }
     size_ = std::max({right - left, bottom - top, 8.0});
+    inner_ = grid_.innerRadius();
   }
 
   Veins grow() {
@@ -244,7 +252,8 @@ class Grower {
   }
 
  private:
-  double px(double at512) const { return at512 * size_ / 512; }
+  /// Veins of a narrow blade are finer.
+  double px(double at512) const { return at512 * std::min(size_, std::max(0.4 * size_, 10 * inner_)) / 512; }
 
   void addMain(QPointF tip, bool first) {
     Polygon way = grid_.middleWay(axis_.root, tip);
@@ -327,8 +336,9 @@ class Grower {
         for (int attempt = 0; attempt < 7; ++attempt, angle += 1.5) {
           const QPointF direction = turned(ahead / std::max(length(ahead), 1e-9), side * angle * kDegree);
           const QPointF target = rayEnd(base, direction);
-          if (length(target - base) < 0.03 * size_) break;
-          Polygon line = curve(growWalk(base, target, 0.035 * size_, 0.7 * parameters_.wiggle, random_));
+          if (length(target - base) < std::min(0.03 * size_, 0.5 * inner_)) break;
+          Polygon line =
+              curve(growWalk(base, target, std::min(0.035 * size_, 0.5 * inner_), 0.7 * parameters_.wiggle, random_));
           if (!onLeaf(line)) line = {base, base + 0.5 * (target - base), target};
           if (!onLeaf(line) || crossesAny(line, before, mainIndex)) continue;
           Vein vein;
@@ -363,7 +373,7 @@ class Grower {
   const Polygon& tips_;
   const VeinParameters& parameters_;
   RandomSequence random_;
-  double size_ = 1;
+  double size_ = 1, inner_ = 1;
   Veins veins_;
   std::vector<size_t> petiolePoints_;
 };

@@ -20,6 +20,7 @@ constexpr int kWorkSide = 400;
 constexpr int kDirections = 12;          // of half a turn
 constexpr float kLeastContrast = 0.35f;  // lightness: below it a blade shows no veins
 constexpr double kReach = 0.22;          // of the leaf's size: how far the guess may be wrong
+constexpr double kNarrowReach = 2.2;     // of the blade's inner radius: along a narrow one not so far
 
 /// Where lines along the ridges meet from many directions; no place where they do not.
 std::optional<cv::Point> meetingPlace(const VeinRidges& ridges, const cv::Mat1b& leaf) {
@@ -138,7 +139,13 @@ LeafAxis rootByVeins(const QImage& photo, const QImage& mask, const Polygon& bor
   cv::Mat1b wide;
   cv::dilate(leaf, wide, cv::Mat());
   const cv::Mat1f ways = waysFrom(toWork(axis.tip), ridges.strength, wide);
-  const double reach = kReach * std::max(box.width, box.height);
+  cv::Mat1b framed;
+  cv::Mat1f depth;
+  cv::copyMakeBorder(leaf, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::distanceTransform(framed, depth, cv::DIST_L2, 3);
+  double inner = 0;
+  cv::minMaxLoc(depth, nullptr, &inner);
+  const double reach = std::min(kReach * std::max(box.width, box.height), kNarrowReach * inner / scale);
   float least = 1e29f;
   for (const QPointF& p : border) {
     if (QLineF(p, axis.root).length() > reach) continue;

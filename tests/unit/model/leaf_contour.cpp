@@ -99,6 +99,23 @@ class LeafContour : public QObject {
     const QPointF given = painted.root + QPointF(4, -9);
     QCOMPARE(findAxis(painted.mask, border, given).root, given);
   }
+
+  void aNarrowBladeHasItsRootAtItsPetiole_data() {
+    QTest::addColumn<double>("width");
+    for (double width : {34.0, 60.0, 110.0}) QTest::addRow("%g px wide", width) << width;
+  }
+  void aNarrowBladeHasItsRootAtItsPetiole() {
+    QFETCH(double, width);
+    for (const bool petioleLeft : {true, false}) {
+      const QImage mask = test::willowMask(width, petioleLeft);
+      const Polygon border = traceBorder(mask);
+      const LeafAxis axis = findAxis(mask, border, {});
+      QVERIFY(!axis.petiole.empty());
+      const QPointF base = petioleLeft ? QPointF(100, 150) : QPointF(900, 150);
+      QVERIFY2(QLineF(axis.root, base).length() < 50, qPrintable(QString::number(axis.root.x())));
+      QVERIFY(std::abs(axis.tip.x() - (petioleLeft ? 900 : 100)) < 20);
+    }
+  }
 };
 
 WINDFALL_SUITE(LeafContour)

@@ -111,6 +111,18 @@ class LeafVeins : public QObject {
              angles.size());
   }
 
+  void aNarrowBladeHasItsLateralsToo() {
+    for (const double width : {34.0, 60.0}) {
+      const QImage mask = test::willowMask(width, true);
+      const Polygon border = traceBorder(mask);
+      const Veins veins = growVeins(mask, border, findAxis(mask, border, {}), {}, {});
+      const auto laterals = std::count_if(veins.begin(), veins.end(), [](const Vein& v) { return v.order == 2; });
+      QVERIFY2(laterals >= 12, qPrintable(QString::number(laterals)));
+      // Finer than those of a broad blade of its length.
+      QVERIFY(veins[0].startWidth < 0.12 * width);
+    }
+  }
+
   void theSeedDecides() {
     const PaintedPhoto painted = paintLeafPhoto({}, 12, 300);
     QCOMPARE(veinsOf(painted, 5), veinsOf(painted, 5));
