@@ -1,7 +1,6 @@
 #include "model/plant/grower.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "model/plant/grow/species_bark.h"
 #include "model/plant/grower_private.h"
@@ -10,25 +9,6 @@
 namespace windfall::model {
 
 namespace {
-
-/// Bones from the axes: one a link, parents before children.
-void addBones(const std::vector<grower::Axis>& axes, PlantGeometry& geometry) {
-  for (const grower::Axis& axis : axes) {
-    for (std::size_t i = 0; i + 1 < axis.nodes.size(); ++i) {
-      char digits[16];
-      std::snprintf(digits, sizeof digits, axis.order == 0 ? ".%03d" : ".%02d", static_cast<int>(i));
-      Bone bone;
-      bone.name = QString::fromStdString(axis.name + digits);
-      bone.parent = i > 0             ? static_cast<int>(geometry.bones.size()) - 1
-                    : axis.parent < 0 ? -1
-                                      : axes[static_cast<std::size_t>(axis.parent)].firstBone + axis.parentLink;
-      bone.head = axis.nodes[i];
-      bone.tail = axis.nodes[i + 1];
-      bone.radius = 0.5f * (axis.radii[i] + axis.radii[i + 1]);
-      geometry.bones.push_back(bone);
-    }
-  }
-}
 
 Status check(const GrowerSettings& s) {
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
@@ -53,7 +33,7 @@ Result<PlantGeometry> grow(const GrowerSettings& settings, Progress& progress, W
 
   PlantGeometry geometry;
   geometry.format = QStringLiteral("grown");
-  addBones(axes, geometry);
+  grower::addBones(axes, geometry);
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
   geometry.wood = woodMesh;

@@ -186,6 +186,24 @@ vec3 curveTangent(const Axis& axis, std::size_t link, float t) {
   return glm::normalize((a - b) * (6 * t2 - 6 * t) + u * (3 * t2 - 4 * t + 1) + v * (3 * t2 - 2 * t));
 }
 
+void addBones(const std::vector<Axis>& axes, PlantGeometry& geometry) {
+  for (const Axis& axis : axes) {
+    for (std::size_t i = 0; i + 1 < axis.nodes.size(); ++i) {
+      char digits[16];
+      std::snprintf(digits, sizeof digits, axis.order == 0 ? ".%03d" : ".%02d", static_cast<int>(i));
+      Bone bone;
+      bone.name = QString::fromStdString(axis.name + digits);
+      bone.parent = i > 0             ? static_cast<int>(geometry.bones.size()) - 1
+                    : axis.parent < 0 ? -1
+                                      : axes[static_cast<std::size_t>(axis.parent)].firstBone + axis.parentLink;
+      bone.head = axis.nodes[i];
+      bone.tail = axis.nodes[i + 1];
+      bone.radius = 0.5f * (axis.radii[i] + axis.radii[i + 1]);
+      geometry.bones.push_back(bone);
+    }
+  }
+}
+
 void setRadii(std::vector<Axis>& axes, float baseRadius) {
   constexpr double kTip = 0.0022, kExponent = 2.4;
   std::vector<std::vector<int>> children(axes.size());

@@ -25,6 +25,9 @@ struct Axis {
 /// The axes, parents before children: trunk, limbs at the golden angle, twigs. Radii are left to setRadii.
 std::vector<Axis> growAxes(const GrowerSettings& settings);
 
+/// Bones from the axes: one a link, parents before children; their first bones are known.
+void addBones(const std::vector<Axis>& axes, PlantGeometry& geometry);
+
 /// Pipe model with taper (growers.md, 5.1): r_p^n = sum of (r_c + tau l_c)^n with n = 2.4, tau such that the trunk's
 /// base has `baseRadius`.
 void setRadii(std::vector<Axis>& axes, float baseRadius);

@@ -74,13 +74,7 @@ class Brush : public Tool {
   }
 
   void paint(QPainter& painter, const ToolHost& host) const override {
-    const double pixel = host.pixelSize();
-    painter.setBrush(Qt::NoBrush);
-    // Dark and light, so that it shows on every photo.
-    painter.setPen(QPen(QColor(0, 0, 0, 160), 3 * pixel));
-    painter.drawEllipse(pointer_, size_ / 2, size_ / 2);
-    painter.setPen(QPen(Qt::white, 1.25 * pixel));
-    painter.drawEllipse(pointer_, size_ / 2, size_ / 2);
+    drawBrush(painter, pointer_, size_, host.pixelSize());
   }
 
  private:

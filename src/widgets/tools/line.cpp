@@ -53,18 +53,13 @@ class LineTool : public Tool {
     host.requestUpdate();
   }
   void paint(QPainter& painter, const ToolHost& host) const override {
-    const double pixel = host.pixelSize();
     if (active_) {
       painter.setPen(
           QPen(erases_ ? QColor(255, 120, 120, 150) : QColor(150, 255, 150, 150), size_, Qt::SolidLine, Qt::RoundCap));
       painter.drawLine(from_, to_);
       return;
     }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, 160), 3 * pixel));
-    painter.drawEllipse(pointer_, size_ / 2, size_ / 2);
-    painter.setPen(QPen(Qt::white, 1.25 * pixel));
-    painter.drawEllipse(pointer_, size_ / 2, size_ / 2);
+    drawBrush(painter, pointer_, size_, host.pixelSize());
   }
 
  private:

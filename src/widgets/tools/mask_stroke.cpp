@@ -58,4 +58,12 @@ void MaskStroke::cancel(ToolHost& host) {
   host.previewMask({}, dirty_);
 }
 
+void drawBrush(QPainter& painter, QPointF pointer, double size, double pixel) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 160), 3 * pixel));
+  painter.drawEllipse(pointer, size / 2, size / 2);
+  painter.setPen(QPen(Qt::white, 1.25 * pixel));
+  painter.drawEllipse(pointer, size / 2, size / 2);
+}
+
 }  // namespace windfall::widgets

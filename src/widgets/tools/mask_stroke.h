@@ -27,4 +27,7 @@ class MaskStroke {
   QRect dirty_;
 };
 
+/// The brush's size where the pointer is, dark and light, so that it shows on every photo; `pixel`: of the screen.
+void drawBrush(QPainter& painter, QPointF pointer, double size, double pixel);
+
 }  // namespace windfall::widgets

@@ -1,7 +1,6 @@
 #include "model/plant/grow/grow_plant.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <future>
 
@@ -14,24 +13,6 @@
 namespace windfall::model::growth {
 
 namespace {
-
-void addBones(const std::vector<grower::Axis>& axes, PlantGeometry& geometry) {
-  for (const grower::Axis& axis : axes) {
-    for (std::size_t i = 0; i + 1 < axis.nodes.size(); ++i) {
-      char digits[16];
-      std::snprintf(digits, sizeof digits, axis.order == 0 ? ".%03d" : ".%02d", static_cast<int>(i));
-      Bone bone;
-      bone.name = QString::fromStdString(axis.name + digits);
-      bone.parent = i > 0             ? static_cast<int>(geometry.bones.size()) - 1
-                    : axis.parent < 0 ? -1
-                                      : axes[at(axis.parent)].firstBone + axis.parentLink;
-      bone.head = axis.nodes[i];
-      bone.tail = axis.nodes[i + 1];
-      bone.radius = 0.5f * (axis.radii[i] + axis.radii[i + 1]);
-      geometry.bones.push_back(bone);
-    }
-  }
-}
 
 /// Triangles in two parts: bark, and the twigs that are too thin to have any.
 void splitTwigs(float thinner, PlantGeometry& geometry) {
@@ -58,7 +39,7 @@ PlantGeometry dressed(const Grown& grown, const GrowerSettings& settings, WoodMe
   const AxisTree tree = axesOf(grown);
   PlantGeometry geometry;
   geometry.format = QStringLiteral("grown");
-  addBones(tree.axes, geometry);
+  grower::addBones(tree.axes, geometry);
   geometry.nodes = static_cast<int>(geometry.bones.size());
   geometry.maxInfluences = 2;
   geometry.wood = wood;
