@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/mask_strokes_private.h"
 
 namespace windfall::model {
 
@@ -384,6 +385,7 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   cv::resize(leaf, mask, full.size(), 0, 0, cv::INTER_LINEAR);
   cv::threshold(mask, mask, 127, 255, cv::THRESH_BINARY);
   settleMargin(full.clone(), best->lightness, mask, std::max(2, static_cast<int>(std::lround(2.5 / scale))));
+  dropStrokes(full, mask);
   mask = bestComponent(mask).mask;
   cv::Mat1f field;
   cv::resize(best->field, field, full.size(), 0, 0, cv::INTER_LINEAR);

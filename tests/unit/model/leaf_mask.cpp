@@ -88,6 +88,34 @@ class LeafMask : public QObject {
     QCOMPARE(int(mask->constScanLine(145)[200]), 255);
   }
 
+  void aPenStrokeThatRunsIntoTheLeafIsNone() {
+    for (const QColor& ink : {QColor(30, 36, 90), QColor(14, 14, 16)}) {
+      const PaintedPhoto painted = paintLeafPhoto({}, 11, 420);
+      QImage photo = painted.photo.convertToFormat(QImage::Format_RGBA8888);
+      const QPointF middle = 0.5 * (painted.root + painted.tip);
+      // Under the leaf, from one side of the paper to the other.
+      QPainter painter(&photo);
+      painter.setPen(QPen(ink, 5));
+      painter.drawLine(QPointF(12, middle.y() + 20), QPointF(photo.width() - 12, middle.y() - 30));
+      painter.end();
+      for (int y = 0; y < photo.height(); ++y) {
+        for (int x = 0; x < photo.width(); ++x) {
+          if (painted.mask.constScanLine(y)[x] > 127) photo.setPixelColor(x, y, painted.photo.pixelColor(x, y));
+        }
+      }
+      Progress progress;
+      const Result<QImage> mask = automaticMask(photo, {}, progress);
+      QVERIFY(mask);
+      int beyond = 0;
+      for (int y = 0; y < photo.height(); ++y) {
+        for (const int x : {20, photo.width() - 20}) beyond += mask->constScanLine(y)[x] > 127;
+      }
+      QCOMPARE(beyond, 0);
+      const double iou = test::overlap(*mask, painted.mask);
+      QVERIFY2(iou > 0.95, qPrintable(QString::number(iou)));
+    }
+  }
+
   void holesStayHoles() {
     const PaintedPhoto painted = paintLeafPhoto({}, 5, 420);
     QImage photo = rgba(painted.photo);
