@@ -185,6 +185,7 @@ class LeafCliTest : public QObject {
     row("no third leaf", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--leaf", "3"});
     row("unknown number", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--set", "veins.leaves=3"});
     row("number beyond", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--set", "veins.laterals=-3"});
+    row("variety beyond", 1, {"leaf", at("leaf.png"), "-o", at("bad"), "--set", "synthesis.variety=-1"});
     row("no number", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--set", "veins.laterals=many"});
     row("ruler of one place", 2, {"leaf", at("leaf.png"), "-o", at("bad"), "--ruler", "1,1,1,1,0.1"});
     row("no leaf in it", 1, {"leaf", at("flat.png"), "-o", at("bad")});
@@ -265,6 +266,10 @@ class LeafCliTest : public QObject {
              0);
     QCOMPARE(
         windfallRun(base + QStringList{"-o", at("many"), "--set", "veins.laterals=9", "--set", "epsilon=1"}).status, 0);
+    const QStringList one{"leaf", at("leaf.png"), "--variants", "1", "--size", "96", "--seed", "3", "--set"};
+    QCOMPARE(windfallRun(one + QStringList{"synthesis.variety=0", "-o", at("even")}).status, 0);
+    QCOMPARE(windfallRun(one + QStringList{"synthesis.variety=18", "-o", at("uneven")}).status, 0);
+    QVERIFY(bytesOf(at("even/variant_000.png")) != bytesOf(at("uneven/variant_000.png")));
     QVERIFY(count("many", "veins.json", "veins") > count("few", "veins.json", "veins"));
     QVERIFY(count("many", "contour.json", "points") > 2 * count("few", "contour.json", "points"));
     int mains = 0;

@@ -53,8 +53,8 @@ inline model::Project richProject() {
   parameters.veins = {
       18446744073709551615ULL, true, 0.01, 5, 11, 70.1, 30.2, 5, 0.1, 0.7, 0.5, false, false, true, true, false, 0.03};
   parameters.costs = {2, 5, 9};
-  parameters.regions = {false, 0.4, false, true, 12};
-  parameters.synthesis = {false, 512, 300, 1000, 2, 5, 3, 0.1, false, true};
+  parameters.regions = {false, 0.4, false, true, 12, 0.8};
+  parameters.synthesis = {false, 512, 300, 1000, 2, 5, 3, 0.1, false, true, 7.5};
   parameters.maps = {0.5, 0.9, 0.1, 1.5};
   parameters.ageing = {0.4, 3.5, 0.9, 0.8, 0.6};
   project.atlas = {4096, 32, 3, true, AtlasPacker::Unity, 700};

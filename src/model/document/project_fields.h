@@ -52,6 +52,7 @@ void fields(Io& io, typename Io::template Ref<RegionParameters> regions) {
   io.flag("scaleFree", regions.scaleFree);
   io.number("best", regions.best, 0, 1);
   io.flag("mix", regions.mix);
+  io.number("evenTones", regions.evenTones, 0, 1);
   io.flag("hold", regions.hold);
   io.seed("seed", regions.seed);
 }
@@ -89,6 +90,7 @@ void fields(Io& io, typename Io::template Ref<SynthesisParameters> synthesis) {
   io.flag("asThesis", synthesis.asThesis);
   io.number("guideWeight", synthesis.guideWeight, 0, 1e6);
   io.number("smoothing", synthesis.smoothing, 0, 1e6);
+  io.number("variety", synthesis.variety, 0, 100);
 }
 
 template <class Io>

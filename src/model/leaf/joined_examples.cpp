@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/leaf_tones.h"
 #include "model/leaf/region_match.h"
 #include "model/leaf/working_colours.h"
 
@@ -66,7 +67,7 @@ LeafStructure partOf(const LeafStructure& structure, const QRect& place) {
 
 }  // namespace
 
-LeafStages joinExamples(const std::vector<LeafStages>& examples) {
+LeafStages joinExamples(const std::vector<LeafStages>& examples, double evenTones) {
   LeafStages whole;
   QSize size;
   const std::vector<QRect> places = gridOf(examples, size);
@@ -90,6 +91,7 @@ LeafStages joinExamples(const std::vector<LeafStages>& examples) {
   if (stalks) seen.regions.petiole = ++seen.regions.count;
   seen.regions.wholes.assign(static_cast<size_t>(seen.regions.count), 0.0);
   double coarsest = 1e9, allPixels = 0;
+  std::array<float, 3> first{};
   int before = 0;
   for (size_t i = 0; i < examples.size(); ++i) {
     const LeafStages& example = examples[i];
@@ -116,6 +118,13 @@ LeafStages joinExamples(const std::vector<LeafStages>& examples) {
     before += blades;
     seen.superpixels.count += example.seen.superpixels.count;
     std::vector<float> colours = workingColours(example);
+    if (evenTones > 0) {
+      const std::array<float, 3> mean = measureTones(example, colours).mean;
+      if (i == 0) first = mean;
+      std::array<float, 3> by{};
+      for (size_t c = 0; c < 3; ++c) by[c] = static_cast<float>(evenTones) * (first[c] - mean[c]);
+      shiftColours(colours, by);
+    }
     const cv::Mat3f lab(places[i].height(), places[i].width(), reinterpret_cast<cv::Vec3f*>(colours.data()));
     const QImage picture = fromLab(lab, cv::Mat1b(lab.rows, lab.cols, static_cast<uchar>(255)));
     QPainter(&photo).drawImage(places[i].topLeft(), picture);
@@ -146,7 +155,7 @@ LeafStages joinExamples(const std::vector<LeafStages>& examples) {
 std::vector<LeafStages> lendersOf(const LeafStages& of, std::vector<LeafStages> examples) {
   if (examples.size() < 2 || !of.made.parameters.regions.mix) return examples;
   std::vector<LeafStages> joined;
-  joined.push_back(joinExamples(examples));
+  joined.push_back(joinExamples(examples, of.made.parameters.regions.evenTones));
   return joined;
 }
 

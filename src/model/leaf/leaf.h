@@ -61,6 +61,7 @@ struct RegionParameters {
   bool mix = true;        ///< of several examples each region takes its own choice; false: variants take them in turn
   bool hold = false;      ///< the same choice for every variant, by `seed`; only colours are drawn again
   quint64 seed = 1;
+  double evenTones = 1;  ///< mixed: how far the examples' mean colours are brought together, 0..1
   bool operator==(const RegionParameters&) const = default;
 };
 
@@ -83,6 +84,7 @@ struct SynthesisParameters {
   double smoothing = 1.0;     ///< w1
   bool detail = true;         ///< the example's fine detail on top
   bool asThesis = false;  ///< classic: regions and places are matched as in the thesis, by structural distance alone
+  double variety = 5;     ///< CIE76: so far variants differ on the mean; what their regions lack of it, tones add
   bool operator==(const SynthesisParameters&) const = default;
 };
 

@@ -24,37 +24,43 @@ cv::Mat1f shrunk(const std::vector<float>& values, const cv::Mat1f& weight, cv::
 
 }  // namespace
 
-PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame, const float* lab, double factor) {
+namespace {
+
+/// What every level is made of, in full size.
+struct Fields {
+  cv::Mat1f weight, line, standing;
+};
+
+Fields fieldsOf(const LeafStructure& structure, const VeinFrame& frame) {
   const cv::Size full(structure.distance.size.width(), structure.distance.size.height());
-  const cv::Size size(std::max(1, static_cast<int>(std::lround(full.width / factor))),
-                      std::max(1, static_cast<int>(std::lround(full.height / factor))));
-  cv::Mat1f weight(full), small;
-  for (int y = 0; y < full.height; ++y) {
-    for (int x = 0; x < full.width; ++x) {
-      weight(y, x) =
-          structure.regions.values[static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x)] >
-                  0
-              ? 1.f
-              : 0.f;
-    }
-  }
-  cv::resize(weight, small, size, 0, 0, cv::INTER_AREA);
-  const cv::Mat1f distance = shrunk(structure.distance.values, weight, full, size, small);
-  const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
-  const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
-  cv::Mat1f lines(full), line, standings(full), standing;
+  Fields fields{cv::Mat1f(full), cv::Mat1f(full), cv::Mat1f(full)};
   const float unit = static_cast<float>(frame.longSide) / 512;
   for (int y = 0; y < full.height; ++y) {
     for (int x = 0; x < full.width; ++x) {
       const size_t i = static_cast<size_t>(y) * static_cast<size_t>(full.width) + static_cast<size_t>(x);
       const float reach = std::max(0.f, frame.reach[i]) / unit, near = std::exp(-reach / kHaloReach),
                   across = reach / kRidgeWidth;
-      lines(y, x) = kRidge * std::exp(-0.5f * across * across) + kHalo * near;
-      standings(y, x) = kStanding * near * frame.standing[i];
+      fields.weight(y, x) = structure.regions.values[i] > 0 ? 1.f : 0.f;
+      fields.line(y, x) = kRidge * std::exp(-0.5f * across * across) + kHalo * near;
+      fields.standing(y, x) = kStanding * near * frame.standing[i];
     }
   }
-  cv::resize(lines, line, size, 0, 0, cv::INTER_AREA);
-  cv::resize(standings, standing, size, 0, 0, cv::INTER_AREA);
+  return fields;
+}
+
+PatchImage levelOf(const Fields& fields, const LeafStructure& structure, const VeinFrame& frame, const float* lab,
+                   double factor) {
+  const cv::Size full = fields.weight.size();
+  const cv::Size size(std::max(1, static_cast<int>(std::lround(full.width / factor))),
+                      std::max(1, static_cast<int>(std::lround(full.height / factor))));
+  const cv::Mat1f& weight = fields.weight;
+  cv::Mat1f small, line, standing;
+  cv::resize(weight, small, size, 0, 0, cv::INTER_AREA);
+  const cv::Mat1f distance = shrunk(structure.distance.values, weight, full, size, small);
+  const cv::Mat1f vein = shrunk(structure.veinDistance.values, weight, full, size, small);
+  const cv::Mat1f margin = shrunk(frame.margin, weight, full, size, small);
+  cv::resize(fields.line, line, size, 0, 0, cv::INTER_AREA);
+  cv::resize(fields.standing, standing, size, 0, 0, cv::INTER_AREA);
   cv::Mat3f colours = cv::Mat3f::zeros(size);
   if (lab) {
     const cv::Mat3f source(full.height, full.width, reinterpret_cast<cv::Vec3f*>(const_cast<float*>(lab)));
@@ -94,6 +100,16 @@ PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame
     }
   }
   return image;
+}
+
+}  // namespace
+
+std::vector<PatchImage> makePatchImages(const LeafStructure& structure, const VeinFrame& frame, const float* lab,
+                                        const std::vector<double>& factors) {
+  const Fields fields = fieldsOf(structure, frame);
+  std::vector<PatchImage> images;
+  for (const double factor : factors) images.push_back(levelOf(fields, structure, frame, lab, factor));
+  return images;
 }
 
 }  // namespace windfall::model

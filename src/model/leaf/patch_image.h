@@ -42,8 +42,9 @@ struct PatchImage {
   }
 };
 
-/// A level of `factor` pixels of the full structure a pixel. `lab`: three floats a pixel, null for a target without
-/// colours.
-PatchImage makePatchImage(const LeafStructure& structure, const VeinFrame& frame, const float* lab, double factor);
+/// A level for each factor, that of so many pixels of the full structure a pixel. `lab`: three floats a pixel, null for
+/// a target without colours.
+std::vector<PatchImage> makePatchImages(const LeafStructure& structure, const VeinFrame& frame, const float* lab,
+                                        const std::vector<double>& factors);
 
 }  // namespace windfall::model

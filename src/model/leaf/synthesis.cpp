@@ -10,8 +10,11 @@
 #include "model/leaf/guided.h"
 #include "model/leaf/image_cv_private.h"
 #include "model/leaf/joined_examples.h"
+#include "model/leaf/octave_contrast.h"
 #include "model/leaf/region_match.h"
+#include "model/leaf/small_leaf.h"
 #include "model/leaf/stages.h"
+#include "model/leaf/tone_variety.h"
 #include "model/leaf/vein_frame.h"
 #include "model/leaf/vein_profile.h"
 #include "model/leaf/working_colours.h"
@@ -37,25 +40,47 @@ std::vector<float> enlarged(std::vector<float> colours, const PatchImage& level,
 /// the example's photo: between its pixels there is nothing to find.
 std::vector<float> guidedColours(const LeafStages& target, const LeafStages& example, const std::vector<float>& colours,
                                  const std::vector<int>& match, double guideWeight, quint64 seed, Progress& progress) {
-  const VeinFrame targetFrame =
-      findVeinFrame(target.grown, target.toWorking(target.root), target.toWorking(target.tip));
-  const VeinFrame lenderFrame = exampleFrame(example);
   const double length = QLineF(target.root, target.tip).length() * target.scale;
   const int levels = std::clamp(static_cast<int>(std::lround(std::log2(length / 128))) + 1, 1, 6);
   const int finest =
       std::clamp(static_cast<int>(std::floor(std::log2(std::max(1.0, example.scale * 1.2)))), 0, levels - 1);
-  std::vector<GuidedLevel> pyramid;
-  for (int n = levels - 1; n >= finest; --n) {
-    const double factor = std::exp2(n);
-    pyramid.push_back({makePatchImage(target.grown, targetFrame, nullptr, factor),
-                       makePatchImage(example.seen, lenderFrame, colours.data(), factor)});
+  std::vector<double> factors;
+  for (int n = levels - 1; n >= finest; --n) factors.push_back(std::exp2(n));
+  // Of two leaves each thread takes one: nothing that follows depends on who did.
+  VeinFrame frames[2];
+  std::vector<PatchImage> images[2];
+#pragma omp parallel for schedule(static, 1)
+  for (int leaf = 0; leaf < 2; ++leaf) {
+    frames[leaf] = leaf == 0 ? findVeinFrame(target.grown, target.toWorking(target.root), target.toWorking(target.tip))
+                             : exampleFrame(example);
+    images[leaf] = leaf == 0 ? makePatchImages(target.grown, frames[0], nullptr, factors)
+                             : makePatchImages(example.seen, frames[1], colours.data(), factors);
   }
-  const PatchImage last = pyramid.back().target;
+  const VeinFrame &targetFrame = frames[0], &lenderFrame = frames[1];
+  std::vector<GuidedLevel> pyramid;
+  for (size_t n = 0; n < factors.size(); ++n) pyramid.push_back({std::move(images[0][n]), std::move(images[1][n])});
+  PatchImage last;
+  last.width = pyramid.back().target.width;
+  last.height = pyramid.back().target.height;
+  last.leaf = pyramid.back().target.leaf;
   std::vector<float> result = synthesizeGuided(std::move(pyramid), match, guideWeight, seed, progress);
   if (result.empty()) return result;
   const QSize size = target.grown.distance.size;
   if (finest > 0) result = enlarged(std::move(result), last, {size.width(), size.height()});
+  result = restoreContrast({target.grown, result}, {example.seen, colours});
   return restoreVeins({target.grown, targetFrame, result}, {example.seen, lenderFrame, colours});
+}
+
+/// Sets a variant off from others, as far as they are too like each other.
+void varyTone(std::vector<float>& made, const LeafStages& target, const LeafStages& example,
+              const std::vector<float>& colours, const SynthesisParameters& parameters, quint64 seed,
+              Progress& progress) {
+  const LeafTones tones = measureTones(example, colours);
+  const double factor = smallFactor(target.grown.distance.size);
+  const TonePhase phase{target.toWorking(target.root), target.toWorking(target.tip)};
+  const SmallVariants variants = smallVariants(target, example, colours, parameters, progress);
+  const float strength = toneStrength(variants, tones, {phase.root / factor, phase.tip / factor}, parameters.variety);
+  addTone(made, target.grown.regions, tones, phase, strength, seed);
 }
 
 }  // namespace
@@ -77,6 +102,8 @@ Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, c
                         : synthesizeClassic(target, example, colours, match, parameters, seed, progress);
   if (progress.cancelled()) return cancelled;
   if (result.empty()) return Error{"the leaf is too small for a texture"};
+  if (parameters.variety > 0) varyTone(result, target, example, colours, parameters, seed, progress);
+  if (progress.cancelled()) return cancelled;
 
   const QSize size = target.grown.distance.size;
   const cv::Mat3f lab(size.height(), size.width(), reinterpret_cast<cv::Vec3f*>(result.data()));

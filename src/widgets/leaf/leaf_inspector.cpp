@@ -243,6 +243,13 @@ void LeafInspector::addRegions() {
       regions, "regions.mix", tr("Mix examples"), defaults.mix,
       tr("Of several examples every texture takes regions of all; else each texture takes one example, in turn"),
       [](const LeafParameters& p) { return p.regions.mix; }, [](LeafParameters& p, bool on) { p.regions.mix = on; });
+  number(
+      regions, "regions.evenTones", tr("Even tones"),
+      {.minimum = 0, .maximum = 100, .defaultValue = 100 * defaults.evenTones, .decimals = 0, .unit = tr("%")},
+      [](const LeafParameters& p) { return 100 * p.regions.evenTones; },
+      [](LeafParameters& p, double v) { p.regions.evenTones = v / 100; })
+      ->setToolTip(tr("How far the colours of mixed examples are brought to the first one's: 100 % takes their casts "
+                      "away, 0 % leaves a summer leaf beside an autumn leaf as they are"));
   flag(
       regions, "regions.hold", tr("Hold choice"), false,
       tr("All variants take the same regions; only colours are drawn again"),
@@ -276,6 +283,13 @@ void LeafInspector::addSynthesis() {
        .step = 128},
       [](const LeafParameters& p) { return p.synthesis.size; },
       [](LeafParameters& p, double v) { p.synthesis.size = int(v); });
+  number(
+      synthesis, "synthesis.variety", tr("Variety"),
+      {.minimum = 0, .maximum = 20, .defaultValue = defaults.synthesis.variety, .decimals = 1, .unit = tr("ΔE")},
+      [](const LeafParameters& p) { return p.synthesis.variety; },
+      [](LeafParameters& p, double v) { p.synthesis.variety = v; })
+      ->setToolTip(tr("How far variants differ in colour on the mean, at least: where the example is too even for it, "
+                      "each leaf gets a tone of its own, out of the example's colours; 0 leaves them alike"));
   std::vector<QWidget*> ofClassic, ofGuided;
   ofGuided.push_back(number(
       synthesis, "synthesis.guideWeight", tr("Guides' weight"),

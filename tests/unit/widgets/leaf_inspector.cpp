@@ -54,6 +54,10 @@ class LeafInspectorTest : public QObject {
     const model::LeafParameters before = document_.project().leaf(leaf_)->parameters;
     type("synthesis.guideWeight", "250");
     QCOMPARE(synthesis().guideWeight, 250.0);
+    type("synthesis.variety", "7.5");
+    QCOMPARE(synthesis().variety, 7.5);
+    type("regions.evenTones", "40");
+    QCOMPARE(document_.project().leaf(leaf_)->parameters.regions.evenTones, 0.4);
     model::LeafParameters classic = document_.project().leaf(leaf_)->parameters;
     classic.synthesis.guided = false;
     document_.setLeaf(leaf_, &model::Leaf::parameters, classic, model::Aspect::LeafParameters, "classic");
