@@ -29,6 +29,7 @@ LeafStages stagesOf(const PaintedLeaf& look, quint64 seed, int size) {
 QImage texture(const LeafStages& target, const LeafStages& example, bool guided, quint64 seed) {
   SynthesisParameters parameters;
   parameters.guided = guided;
+  parameters.variety = 0;  // the method alone: no patch of the example has a tone that was added
   Progress progress;
   const Result<QImage> image = synthesize(target, example, parameters, seed, progress);
   return image ? *image : QImage();
