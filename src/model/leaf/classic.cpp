@@ -79,8 +79,12 @@ float squareDistance(const float* a, const float* b) {
 std::vector<SuperpixelMean> chooseSuperpixels(const LeafStages& target, const LeafStages& example,
                                               const std::vector<float>& colours, const std::vector<int>& match,
                                               const SynthesisParameters& parameters, quint64 seed) {
-  SuperpixelPyramid to = buildSuperpixelPyramid(target.grown, nullptr, parameters.levels);
-  const SuperpixelPyramid from = buildSuperpixelPyramid(example.seen, colours.data(), parameters.levels);
+  SuperpixelPyramid to, from;
+#pragma omp parallel for schedule(static, 1)
+  for (int leaf = 0; leaf < 2; ++leaf) {
+    if (leaf == 0) to = buildSuperpixelPyramid(target.grown, nullptr, parameters.levels);
+    if (leaf == 1) from = buildSuperpixelPyramid(example.seen, colours.data(), parameters.levels);
+  }
   if (to.back().empty() || from.back().empty()) return {};
   const size_t levels = std::min(to.size(), from.size());
   for (size_t n = 0; n < levels; ++n) {

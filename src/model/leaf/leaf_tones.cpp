@@ -16,7 +16,7 @@ constexpr double kEnds = 0.03;  ///< share of the places at either end that do n
 constexpr double kOwnVariance = 0.25;
 constexpr double kThickness = 16;  ///< added to L* for that direction: a dark leaf's hue does not run away
 constexpr float kBeyond = 0.2f;    ///< of a shift: how far tones may leave those of the example
-constexpr double kMiddle = 0.06;   ///< of the length: how softly the halves pass into each other
+constexpr double kMiddle = 0.12;   ///< of the length: how softly the halves pass into each other
 constexpr double kHalf = std::numbers::pi / 4, kEnd = 3 * std::numbers::pi / 8;
 
 using Vec = cv::Vec3d;

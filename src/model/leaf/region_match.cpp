@@ -1,6 +1,7 @@
 #include "model/leaf/region_match.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -21,15 +22,18 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
   for (std::vector<float>& region : values) {
     RegionShape shape;
     if (!region.empty()) {
-      std::sort(region.begin(), region.end());
       const auto last = static_cast<double>(region.size() - 1);
-      shape.low = region[static_cast<size_t>(0.02 * last)];
-      shape.high = region[static_cast<size_t>(0.98 * last)];
+      const auto low = region.begin() + static_cast<std::ptrdiff_t>(0.02 * last),
+                 high = region.begin() + static_cast<std::ptrdiff_t>(0.98 * last);
+      std::nth_element(region.begin(), high, region.end());
+      std::nth_element(region.begin(), low, high);
+      shape.low = *low;
+      shape.high = *high;
       const std::vector<double>& wholes = structure.regions.wholes;
       const double whole = wholes.empty() ? static_cast<double>(leaf) : wholes[shapes.size()];
       shape.area = static_cast<double>(region.size()) / whole;
-      shape.lowest = region.front();
-      shape.highest = region.back();
+      shape.lowest = *std::min_element(region.begin(), low + 1);
+      shape.highest = *std::max_element(high, region.end());
       shape.pixels = static_cast<double>(region.size());
     }
     shapes.push_back(shape);
@@ -38,6 +42,15 @@ std::vector<RegionShape> describeRegions(const LeafStructure& structure) {
 }
 
 namespace {
+
+/// Of target and example, each by a thread of its own.
+std::array<std::vector<RegionShape>, 2> describeBoth(const LeafStructure& target, const LeafStructure& example) {
+  std::array<std::vector<RegionShape>, 2> shapes;
+#pragma omp parallel for schedule(static, 1)
+  for (int leaf = 0; leaf < 2; ++leaf)
+    shapes[static_cast<size_t>(leaf)] = describeRegions(leaf == 0 ? target : example);
+  return shapes;
+}
 
 double overlap(double lowA, double highA, double lowB, double highB) {
   const double joint = std::min(highA, highB) - std::max(lowA, lowB);
@@ -61,7 +74,7 @@ double thesisSimilarity(const RegionShape& a, const RegionShape& b) {
 
 std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
                               const RegionParameters& parameters) {
-  const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  const auto [targets, examples] = describeBoth(target, example);
   const auto alike = parameters.scaleFree ? similarity : thesisSimilarity;
   std::vector<int> match(targets.size(), 0);
   if (examples.empty()) return match;
@@ -99,7 +112,7 @@ std::vector<int> matchRegions(const LeafStructure& target, const LeafStructure& 
 
 std::vector<int> matchRegionsAsThesis(const LeafStructure& target, const LeafStructure& example, RandomSequence& random,
                                       double best) {
-  const std::vector<RegionShape> targets = describeRegions(target), examples = describeRegions(example);
+  const auto [targets, examples] = describeBoth(target, example);
   std::vector<int> match(targets.size(), 0);
   if (examples.empty()) return match;
   const auto kept = std::max<size_t>(1, static_cast<size_t>(best * static_cast<double>(examples.size())));
