@@ -75,12 +75,11 @@ std::vector<float> guidedColours(const LeafStages& target, const LeafStages& exa
 void varyTone(std::vector<float>& made, const LeafStages& target, const LeafStages& example,
               const std::vector<float>& colours, const SynthesisParameters& parameters, quint64 seed,
               Progress& progress) {
-  const LeafTones tones = measureTones(example, colours);
+  const SmallVariants variants = smallVariants(target, example, colours, parameters, progress);
   const double factor = smallFactor(target.grown.distance.size);
   const TonePhase phase{target.toWorking(target.root), target.toWorking(target.tip)};
-  const SmallVariants variants = smallVariants(target, example, colours, parameters, progress);
-  const float strength = toneStrength(variants, tones, {phase.root / factor, phase.tip / factor}, parameters.variety);
-  addTone(made, target.grown.regions, tones, phase, strength, seed);
+  const float strength = toneStrength(variants, {phase.root / factor, phase.tip / factor}, parameters.variety);
+  addTone(made, target.grown.regions, variants.tones, phase, strength, seed);
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ SmallVariants smallVariants(const LeafStages& target, const LeafStages& example,
                       std::move(makePatchImages(from.seen, exampleFrame(from), lab.data(), {1})[0])});
   }
   SmallVariants result;
+  result.tones = measureTones(from.seen.regions, lab, kSmallSide);
   result.regions = to.grown.regions;
   for (const quint64 seed : kSeeds) {
     RandomSequence random(seed, 211);
@@ -65,7 +66,8 @@ SmallVariants smallVariants(const LeafStages& target, const LeafStages& example,
   return result;
 }
 
-float toneStrength(const SmallVariants& variants, const LeafTones& tones, const TonePhase& phase, double wanted) {
+float toneStrength(const SmallVariants& variants, const TonePhase& phase, double wanted) {
+  const LeafTones& tones = variants.tones;
   struct Place {
     size_t at;
     float phase;

@@ -8,8 +8,9 @@
 
 namespace windfall::model {
 
-/// Low-pass colours of a few variants made small, of one shape.
+/// Low-pass colours of a few variants made small, of one shape, and the tones of the example that they come from.
 struct SmallVariants {
+  LeafTones tones;
   LabelField regions;
   std::vector<std::vector<float>> low;  ///< withoutDetail; three floats a pixel
 };
@@ -21,7 +22,7 @@ SmallVariants smallVariants(const LeafStages& target, const LeafStages& example,
 
 /// How far tones must set leaves off, CIE76, so that variants of seeds in a row differ by `wanted` on the mean; 0 where
 /// they do so by themselves.
-float toneStrength(const SmallVariants& variants, const LeafTones& tones, const TonePhase& phase, double wanted);
+float toneStrength(const SmallVariants& variants, const TonePhase& phase, double wanted);
 
 /// Sets a made leaf off by the tone of its seed. `lab`: three floats a pixel of `regions`; `phase` in its pixels. Veins
 /// and detail keep their contrast.
