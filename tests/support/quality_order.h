@@ -48,7 +48,7 @@ inline model::SynthesisParameters methodOf(const std::string& name) {
   model::SynthesisParameters parameters;
   parameters.guided = name == "guided";
   if (name == "thesis") {
-    parameters.asThesis = true, parameters.detail = false;
+    parameters.asThesis = true, parameters.detail = false, parameters.variety = 0;
     parameters.levels = 5, parameters.candidates = 16, parameters.choices = 6;
   }
   return parameters;

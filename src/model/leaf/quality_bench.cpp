@@ -179,6 +179,7 @@ class Bench {
     methods.push_back(classic("classic with detail, N 16 M 6", 5, 16, 6, true));
     methods.push_back(classic("thesis: 5 levels, N 16 M 6", 5, 16, 6, false));
     methods.back().parameters.asThesis = true;
+    methods.back().parameters.variety = 0;
     methods.push_back({"guided, without guides", ours});
     methods.back().parameters.guideWeight = 0;
     return methods;

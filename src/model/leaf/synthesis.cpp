@@ -18,6 +18,7 @@
 #include "model/leaf/vein_frame.h"
 #include "model/leaf/vein_profile.h"
 #include "model/leaf/working_colours.h"
+#include "model/progress_part.h"
 
 namespace windfall::model {
 
@@ -96,12 +97,14 @@ Result<QImage> synthesize(const LeafStages& target, const LeafStages& example, c
   const std::vector<int> match = chooseRegions(target, example, random, thesis);
   progress.report(0.1);
   if (progress.cancelled()) return cancelled;
-  std::vector<float> result =
-      parameters.guided ? guidedColours(target, example, colours, match, parameters.guideWeight, seed, progress)
-                        : synthesizeClassic(target, example, colours, match, parameters, seed, progress);
+  ProgressPart making(progress, 0.1, 0.9);
+  ProgressPart varying(progress, 0.9, 1);
+  std::vector<float> result = parameters.guided
+                                  ? guidedColours(target, example, colours, match, parameters.guideWeight, seed, making)
+                                  : synthesizeClassic(target, example, colours, match, parameters, seed, making);
   if (progress.cancelled()) return cancelled;
   if (result.empty()) return Error{"the leaf is too small for a texture"};
-  if (parameters.variety > 0) varyTone(result, target, example, colours, parameters, seed, progress);
+  if (parameters.variety > 0) varyTone(result, target, example, colours, parameters, seed, varying);
   if (progress.cancelled()) return cancelled;
 
   const QSize size = target.grown.distance.size;

@@ -12,6 +12,7 @@
 #include "model/leaf/region_match.h"
 #include "model/leaf/small_leaf.h"
 #include "model/leaf/superpixels.h"
+#include "model/progress_part.h"
 
 namespace windfall::model {
 
@@ -27,7 +28,7 @@ constexpr double kMargin = 1.12;
 
 /// The finest superpixels have no pixels of their own in a small leaf: it has one level less.
 SynthesisParameters smallClassic(SynthesisParameters parameters) {
-  parameters.superpixels /= parameters.levels <= 3 ? 8 : 4;
+  parameters.superpixels = std::max(1, parameters.superpixels / (parameters.levels <= 3 ? 8 : 4));
   parameters.levels = std::max(1, parameters.levels - 1);
   parameters.detail = false;
   return parameters;
@@ -55,11 +56,13 @@ SmallVariants smallVariants(const LeafStages& target, const LeafStages& example,
   result.tones = measureTones(from.seen.regions, lab, kSmallSide);
   result.regions = to.grown.regions;
   for (const quint64 seed : kSeeds) {
+    const double done = static_cast<double>(result.low.size()), all = std::size(kSeeds);
+    ProgressPart part(progress, done / all, (done + 1) / all);
     RandomSequence random(seed, 211);
     const std::vector<int> match = chooseRegions(to, from, random, !parameters.guided && parameters.asThesis);
     const std::vector<float> made = parameters.guided
-                                        ? synthesizeGuided(levels, match, parameters.guideWeight, seed, progress)
-                                        : synthesizeClassic(to, from, lab, match, classic, seed, progress);
+                                        ? synthesizeGuided(levels, match, parameters.guideWeight, seed, part)
+                                        : synthesizeClassic(to, from, lab, match, classic, seed, part);
     if (progress.cancelled() || made.empty()) return {};
     result.low.push_back(withoutDetail(made, result.regions, kSmallSide));
   }
