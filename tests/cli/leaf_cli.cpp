@@ -300,6 +300,27 @@ class LeafCliTest : public QObject {
     QVERIFY(masks[0].pixelColor(100, 120).red() > 127 || masks[0].pixelColor(110, 120).red() > 127);
   }
 
+  void leavesThatTouchAreToldAndTakenOneByOne() {
+    QImage sheet(460, 240, QImage::Format_RGB32);
+    sheet.fill(QColor(228, 226, 220));
+    QPainter painter(&sheet);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(64, 120, 52));
+    painter.drawEllipse(20, 20, 204, 190);
+    painter.drawEllipse(220, 40, 190, 170);
+    painter.end();
+    QVERIFY(sheet.save(at("touching.png")));
+    const QStringList common{"leaf", at("touching.png"), "--variants", "0", "--size", "96", "-o"};
+    const test::ProgramRun both = windfallRun(common + QStringList{at("both")});
+    QCOMPARE(both.status, 0);
+    QVERIFY2(both.error.contains("2 leaves") && both.error.count('\n') == 1, both.error.constData());
+    const test::ProgramRun second = windfallRun(common + QStringList{at("second"), "--leaf", "2"});
+    QCOMPARE(second.status, 0);
+    QVERIFY(second.error.isEmpty());
+    const QImage mask = QImage(at("second/mask.png"));
+    QVERIFY(mask.pixelColor(320, 120).red() > 127 && mask.pixelColor(120, 120).red() < 127);
+  }
+
   void severalExamplesServeOneTexture() {
     const QStringList base{"leaf", at("leaf.png"), "--variants", "1", "--size", "160"};
     const auto texture = [&](const char* name, const QStringList& more) {

@@ -3,6 +3,7 @@
 #include <QImageReader>
 #include <QStringList>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -226,6 +227,10 @@ int makeLeaf(const LeafOptions& options) {
   const Result<model::LeafStages> stages = model::computeStages(leaf, model::Stage::Superpixels, shape, &known);
   if (!stages) return fail(photo, stages.error());
   if (const Status good = model::checkMarkers(*stages); !good) return fail(text(options.markers), good.error());
+  if (const int leaves = options.which > 0 ? 1 : model::leavesInMask(stages->mask); leaves > 1) {
+    std::fprintf(stderr, "windfall: %s: shows %d leaves as one; --leaf 1 to %d takes one of them\n",
+                 qUtf8Printable(photo), leaves, leaves);
+  }
   QElapsedTimer clock;
   clock.start();
   std::map<QString, double> seconds;

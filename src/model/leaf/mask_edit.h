@@ -35,4 +35,7 @@ QImage refinedMask(const QImage& mask, const QImage& photo, const std::vector<Sc
 /// leaf.
 std::vector<QImage> separateLeaves(const QImage& photo, const QImage& found);
 
+/// How many leaves one mask shows, apart or touching; 1 where that is not sure.
+int leavesInMask(const QImage& mask);
+
 }  // namespace windfall::model

@@ -52,4 +52,6 @@ std::vector<QImage> separateLeaves(const QImage& photo, const QImage& found) {
   return leaves;
 }
 
+int leavesInMask(const QImage& mask) { return static_cast<int>(leavesOf(grayView(mask) > 127, kLeastShare).size()); }
+
 }  // namespace windfall::model
