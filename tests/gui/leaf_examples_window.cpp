@@ -102,10 +102,6 @@ class LeafExamplesWindow : public QObject, test::LeafStage {
     QCOMPARE(read->leaf(id_)->examples, shown().examples);
     QCOMPARE(read->leaf(id_)->regionPairs, shown().regionPairs);
     QVERIFY(read->leaf(id_)->parameters.regions.mix);
-    // Summer and autumn side by side.
-    model::LeafParameters uneven = shown().parameters;
-    uneven.regions.evenTones = 0;
-    editor_->document().setLeaf(id_, &model::Leaf::parameters, uneven, model::Aspect::LeafParameters, "Even tones");
     leaf_->variants().countBox()->setValue(1);
     QTest::mouseClick(leaf_->variants().makeButton(), Qt::LeftButton);
     QVERIFY(editor_->settle(120));

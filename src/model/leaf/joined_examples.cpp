@@ -14,6 +14,14 @@ namespace windfall::model {
 namespace {
 
 constexpr int kGap = 16;  // px: no patch and no superpixel reaches over it
+/// CIE76 between the mean colours of two blades: up to here another light, from there on another season.
+constexpr float kCast = 10, kSeason = 30;
+
+/// How much of a difference between two leaves is taken for a cast.
+float castShare(float difference) {
+  const float t = std::clamp((difference - kCast) / (kSeason - kCast), 0.f, 1.f);
+  return 1 - t * t * (3 - 2 * t);
+}
 
 /// Rows of about as many leaves as there are rows.
 std::vector<QRect> gridOf(const std::vector<LeafStages>& examples, QSize& whole) {
@@ -122,7 +130,9 @@ LeafStages joinExamples(const std::vector<LeafStages>& examples, double evenTone
       const std::array<float, 3> mean = measureTones(example, colours).mean;
       if (i == 0) first = mean;
       std::array<float, 3> by{};
-      for (size_t c = 0; c < 3; ++c) by[c] = static_cast<float>(evenTones) * (first[c] - mean[c]);
+      for (size_t c = 0; c < 3; ++c) by[c] = first[c] - mean[c];
+      const float share = static_cast<float>(evenTones) * castShare(std::hypot(by[0], by[1], by[2]));
+      for (float& channel : by) channel *= share;
       shiftColours(colours, by);
     }
     const cv::Mat3f lab(places[i].height(), places[i].width(), reinterpret_cast<cv::Vec3f*>(colours.data()));

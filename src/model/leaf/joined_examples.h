@@ -11,7 +11,8 @@ namespace windfall::model {
 /// One example whose regions are those of all: their working images stand in a grid, each region keeps its number among
 /// its leaf's (JoinedLeaf::before), petioles become one region. All have reached Stage::Superpixels; of the result only
 /// what an example needs is filled in: photo, mask, alpha, frame, scale, `seen`, joined. `evenTones`: how far the mean
-/// colours of their blades are moved to the first one's, 0..1, as if all were taken in one light.
+/// colours of their blades are moved to the first one's, 0..1, as if all were taken in one light; leaves of quite other
+/// colours stay as they are.
 LeafStages joinExamples(const std::vector<LeafStages>& examples, double evenTones = 0);
 
 /// What lends its colours to textures of `of`: the examples joined, where there are several and its parameters mix

@@ -61,7 +61,7 @@ struct RegionParameters {
   bool mix = true;        ///< of several examples each region takes its own choice; false: variants take them in turn
   bool hold = false;      ///< the same choice for every variant, by `seed`; only colours are drawn again
   quint64 seed = 1;
-  double evenTones = 1;  ///< mixed: how far the examples' mean colours are brought together, 0..1
+  double evenTones = 1;  ///< mixed: how far casts between the examples are taken away, 0..1
   bool operator==(const RegionParameters&) const = default;
 };
 

@@ -248,8 +248,9 @@ void LeafInspector::addRegions() {
       {.minimum = 0, .maximum = 100, .defaultValue = 100 * defaults.evenTones, .decimals = 0, .unit = tr("%")},
       [](const LeafParameters& p) { return 100 * p.regions.evenTones; },
       [](LeafParameters& p, double v) { p.regions.evenTones = v / 100; })
-      ->setToolTip(tr("How far the colours of mixed examples are brought to the first one's: 100 % takes their casts "
-                      "away, 0 % leaves a summer leaf beside an autumn leaf as they are"));
+      ->setToolTip(
+          tr("How far casts between mixed examples are taken away, so that their regions fit to each other; leaves "
+             "of quite other colours, summer beside autumn, stay as they are"));
   flag(
       regions, "regions.hold", tr("Hold choice"), false,
       tr("All variants take the same regions; only colours are drawn again"),

@@ -100,7 +100,6 @@ class LeafExamples : public QObject {
     // By hand: every second region from the red leaf, the others from the green one.
     LeafStages target = green_;
     target.made.parameters.synthesis.guided = guided;
-    target.made.parameters.regions.evenTones = 0;
     for (size_t i = 0; i < green_.markers.size(); ++i) {
       const LeafStages& from = i % 2 ? red_ : green_;
       target.made.regionPairs.push_back({green_.markers[i], from.made.id, from.markers[i % from.markers.size()]});

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kSize = 256;
 
-/// A green ellipse with grain; `blotches`: how much broad patches differ, of 255.
-Leaf madeUpLeaf(int blotches) {
+/// A green ellipse with grain; `blotches`: how much broad patches differ, of 255; `cast`: added to red.
+Leaf madeUpLeaf(int blotches, float cast = 0) {
   QImage photo(kSize, kSize, QImage::Format_RGB32);
   photo.fill(Qt::white);
   for (int y = 0; y < kSize; ++y) {
@@ -32,7 +32,7 @@ Leaf madeUpLeaf(int blotches) {
       };
       const float light = 12 * cell(2, 1) + static_cast<float>(blotches) * cell(28, 2);
       const auto of = [&](float value) { return std::clamp(static_cast<int>(value + light), 0, 255); };
-      photo.setPixel(x, y, qRgb(of(70), of(110), of(45)));
+      photo.setPixel(x, y, qRgb(of(70 + cast), of(110), of(45)));
     }
   }
   Leaf leaf;
@@ -261,34 +261,40 @@ class LeafTonesTest : public QObject {
     QCOMPARE(small.toWorking(small.root) * 2, green_.toWorking(green_.root));
   }
 
-  void examplesAreBroughtTogetherAsFarAsIsWanted() {
-    const auto apart = [&](double even) {
-      const LeafStages joined = joinExamples({green_, red_}, even);
-      const std::vector<float> all = workingColours(joined);
-      std::array<std::array<float, 3>, 2> mean{};
-      for (size_t k = 0; k < 2; ++k) {
-        LeafStages part = joined;
-        part.joined.clear();
-        const QRect& place = joined.joined[k].place;
-        LabelField& regions = part.seen.regions;
-        for (int y = 0; y < regions.size.height(); ++y) {
-          for (int x = 0; x < regions.size.width(); ++x) {
-            const size_t i =
-                static_cast<size_t>(y) * static_cast<size_t>(regions.size.width()) + static_cast<size_t>(x);
-            if (!place.contains(x, y)) regions.values[i] = 0;
-          }
-        }
-        mean[k] = measureTones(part, all).mean;
-      }
-      return std::hypot(mean[0][0] - mean[1][0], mean[0][1] - mean[1][1], mean[0][2] - mean[1][2]);
-    };
-    const float far = apart(0), half = apart(0.5), even = apart(1);
-    QVERIFY(far > 20);
+  void castsBetweenExamplesAreTakenAwayAsFarAsIsWanted() {
+    const LeafStages tinted = stagesOf(madeUpLeaf(0, 18), 5);
+    const float far = apart(plain_, tinted, 0), half = apart(plain_, tinted, 0.5), even = apart(plain_, tinted, 1);
+    QVERIFY(far > 5 && far < 10);
     QVERIFY2(std::abs(half - 0.5f * far) < 0.1f * far && even < 0.1f * far,
              qPrintable(QString("%1 %2 %3").arg(far).arg(half).arg(even)));
+    // Another season is no cast.
+    const float seasons = apart(green_, red_, 0);
+    QVERIFY(seasons > 30);
+    QVERIFY(std::abs(apart(green_, red_, 1) - seasons) < 0.1f);
   }
 
  private:
+  /// Between the mean colours of two joined leaves.
+  static float apart(const LeafStages& one, const LeafStages& other, double even) {
+    const LeafStages joined = joinExamples({one, other}, even);
+    const std::vector<float> all = workingColours(joined);
+    std::array<std::array<float, 3>, 2> mean{};
+    for (size_t k = 0; k < 2; ++k) {
+      LeafStages part = joined;
+      part.joined.clear();
+      const QRect& place = joined.joined[k].place;
+      LabelField& regions = part.seen.regions;
+      for (int y = 0; y < regions.size.height(); ++y) {
+        for (int x = 0; x < regions.size.width(); ++x) {
+          const size_t i = static_cast<size_t>(y) * static_cast<size_t>(regions.size.width()) + static_cast<size_t>(x);
+          if (!place.contains(x, y)) regions.values[i] = 0;
+        }
+      }
+      mean[k] = measureTones(part, all).mean;
+    }
+    return std::hypot(mean[0][0] - mean[1][0], mean[0][1] - mean[1][1], mean[0][2] - mean[1][2]);
+  }
+
   LeafStages plain_, varied_, green_, red_;
 };
 
