@@ -286,7 +286,7 @@ class Computation {
     return false;
   }
 
-  void measure(const std::vector<Tissue>& types, LeafStructure& structure) {
+  void measure(const std::vector<Tissue>& types, LeafStructure& structure) const {
     const QPoint source = nearestOnLeaf(types, size_, result_.toWorking(result_.root));
     structure.distance = normalised(structuralDistance(types, size_, source, leaf_.parameters.costs), size_, types);
     structure.veinDistance = veinDistanceField(types, size_);
@@ -321,29 +321,39 @@ class Computation {
     const int count = leaf_.parameters.synthesis.superpixels;
     const bool sameCount = has(Stage::Superpixels) && known_->made.parameters.synthesis.superpixels == count;
     const bool sameGrown = sameCount && sameDistance_ && sameRegions_;
-    result_.grown.superpixels =
-        sameGrown ? known_->grown.superpixels : makeSuperpixels(result_.grown.distance, result_.grown.regions, count);
-    if (givenFrame_) return sameGrown;
+    if (sameGrown) result_.grown.superpixels = known_->grown.superpixels;
     // What the photo shows does not depend on the veins that were grown or drawn.
-    const bool sameSeen = has(Stage::Superpixels) && known_->photo.cacheKey() == result_.photo.cacheKey() &&
+    const bool sameSeen = !givenFrame_ && has(Stage::Superpixels) &&
+                          known_->photo.cacheKey() == result_.photo.cacheKey() &&
                           known_->alpha.cacheKey() == result_.alpha.cacheKey() && known_->root == result_.root &&
                           samePetiole() && known_->made.parameters.costs == leaf_.parameters.costs;
-    if (sameSeen) {
-      result_.seen = known_->seen;
-      if (!sameCount) result_.seen.superpixels = makeSuperpixels(result_.seen.distance, result_.seen.regions, count);
-      return sameGrown && sameCount;
+    if (sameSeen) result_.seen = known_->seen;
+    const bool look = !sameSeen && !givenFrame_;
+    QImage sized;
+    if (look) {
+      if (types_.empty()) types_ = tissueOf(result_.grown, result_.alpha);
+      sized = result_.photo.copy(result_.frame)
+                  .scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                  .convertToFormat(QImage::Format_RGBA8888);
     }
-    if (types_.empty()) types_ = tissueOf(result_.grown, result_.alpha);
-    QImage sized = result_.photo.copy(result_.frame)
-                       .scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-                       .convertToFormat(QImage::Format_RGBA8888);
-    const QPointF root = result_.toWorking(result_.root);
-    const std::vector<Tissue> seen = extractVeins(sized, types_, root.toPoint());
-    measure(seen, result_.seen);
-    result_.seen.regions = growRegions(seen, size_, automaticMarkers(seen, size_));
-    setPetioleApart(result_.seen.regions, workingPetiole());
-    result_.seen.superpixels = makeSuperpixels(result_.seen.distance, result_.seen.regions, count);
-    return false;
+    // The two structures know nothing of each other: a thread for each.
+    LeafStructure* const structures[] = {&result_.grown, &result_.seen};
+    const bool made[] = {!sameGrown, look || (sameSeen && !sameCount)};
+#pragma omp parallel for schedule(static, 1)
+    for (int n = 0; n < 2; ++n) {
+      LeafStructure& structure = *structures[n];
+      if (n == 1 && look) lookAt(sized, structure);
+      if (made[n]) structure.superpixels = makeSuperpixels(structure.distance, structure.regions, count);
+    }
+    return sameGrown && (givenFrame_ || (sameSeen && sameCount));
+  }
+
+  /// The structure by the veins that the photo shows, but for superpixels.
+  void lookAt(const QImage& sized, LeafStructure& structure) const {
+    const std::vector<Tissue> seen = extractVeins(sized, types_, result_.toWorking(result_.root).toPoint());
+    measure(seen, structure);
+    structure.regions = growRegions(seen, size_, automaticMarkers(seen, size_));
+    setPetioleApart(structure.regions, workingPetiole());
   }
 
   const Leaf& leaf_;
