@@ -55,16 +55,26 @@ SmallVariants smallVariants(const LeafStages& target, const LeafStages& example,
   SmallVariants result;
   result.tones = measureTones(from.seen.regions, lab, kSmallSide);
   result.regions = to.grown.regions;
-  for (const quint64 seed : kSeeds) {
-    const double done = static_cast<double>(result.low.size()), all = std::size(kSeeds);
-    ProgressPart part(progress, done / all, (done + 1) / all);
-    RandomSequence random(seed, 211);
+  result.low.resize(std::size(kSeeds));
+  ProgressTogether together(progress);
+  const auto make = [&](size_t n) {
+    ProgressTogether::Work work(together, 1.0 / static_cast<double>(result.low.size()));
+    RandomSequence random(kSeeds[n], 211);
     const std::vector<int> match = chooseRegions(to, from, random, !parameters.guided && parameters.asThesis);
     const std::vector<float> made = parameters.guided
-                                        ? synthesizeGuided(levels, match, parameters.guideWeight, seed, part)
-                                        : synthesizeClassic(to, from, lab, match, classic, seed, part);
-    if (progress.cancelled() || made.empty()) return {};
-    result.low.push_back(withoutDetail(made, result.regions, kSmallSide));
+                                        ? synthesizeGuided(levels, match, parameters.guideWeight, kSeeds[n], work)
+                                        : synthesizeClassic(to, from, lab, match, classic, kSeeds[n], work);
+    if (!made.empty()) result.low[n] = withoutDetail(made, result.regions, kSmallSide);
+  };
+  // A guided one keeps all threads busy by itself.
+  if (parameters.guided) {
+    for (size_t n = 0; n < result.low.size(); ++n) make(n);
+  } else {
+#pragma omp parallel for schedule(dynamic, 1)
+    for (size_t n = 0; n < result.low.size(); ++n) make(n);
+  }
+  for (const std::vector<float>& low : result.low) {
+    if (low.empty()) return {};
   }
   return result;
 }
