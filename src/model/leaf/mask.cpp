@@ -74,23 +74,43 @@ class Ground {
     return colour;
   }
 
-  /// Least squares over the pixels within `tolerance` of the surface; returns the next tolerance.
-  double fit(const cv::Mat3f& lab, double tolerance) {
+  /// A row's share of the normal equations.
+  struct Row {
     cv::Matx<double, 6, 6> normal = cv::Matx<double, 6, 6>::zeros();
     cv::Matx<double, 6, 3> right = cv::Matx<double, 6, 3>::zeros();
     std::vector<double> errors;
-    for (int y = 0; y < lab.rows; y += 2) {
-      for (int x = 0; x < lab.cols; x += 2) {
-        const cv::Vec3f difference = lab(y, x) - at(x, y);
-        const double error = cv::norm(difference);
-        if (error > tolerance) continue;
-        errors.push_back(error);
-        const cv::Vec<double, 6> t = terms(2.0 * x / size_.width - 1, 2.0 * y / size_.height - 1);
-        for (int i = 0; i < 6; ++i) {
-          for (int j = 0; j < 6; ++j) normal(i, j) += t[i] * t[j];
-          for (int c = 0; c < 3; ++c) right(i, c) += t[i] * lab(y, x)[c];
-        }
+  };
+
+  void addRow(const cv::Mat3f& lab, int y, double tolerance, Row& row) const {
+    for (int x = 0; x < lab.cols; x += 2) {
+      const cv::Vec<double, 6> t = terms(2.0 * x / size_.width - 1, 2.0 * y / size_.height - 1);
+      const cv::Vec3d value = surface_ * t;
+      const cv::Vec3f& pixel = lab(y, x);
+      const double error = cv::norm(cv::Vec3d(pixel[0] - value[0], pixel[1] - value[1], pixel[2] - value[2]));
+      if (error > tolerance) continue;
+      row.errors.push_back(error);
+      for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) row.normal(i, j) += t[i] * t[j];
+        for (int c = 0; c < 3; ++c) row.right(i, c) += t[i] * static_cast<double>(pixel[c]);
       }
+    }
+  }
+
+  /// Least squares over the pixels within `tolerance` of the surface; returns the next tolerance.
+  double fit(const cv::Mat3f& lab, double tolerance) {
+    // Row by row and summed in their order: the same for any number of threads.
+    std::vector<Row> rows(static_cast<size_t>((lab.rows + 1) / 2));
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+      addRow(lab, 2 * i, tolerance, rows[static_cast<size_t>(i)]);
+    }
+    cv::Matx<double, 6, 6> normal = cv::Matx<double, 6, 6>::zeros();
+    cv::Matx<double, 6, 3> right = cv::Matx<double, 6, 3>::zeros();
+    std::vector<double> errors;
+    for (const Row& row : rows) {
+      normal += row.normal;
+      right += row.right;
+      errors.insert(errors.end(), row.errors.begin(), row.errors.end());
     }
     if (errors.size() < 200) return tolerance;
     // A little of the flat solution, so that a ground seen only on one side is not extrapolated wildly.
@@ -345,6 +365,7 @@ Result<QImage> foundMask(const QImage& photo, Progress& progress) {
   measures[1].trust = 1.02;
   measures[1].lightness = 0.25f;
   measures[2].lightness = 0.5f;
+#pragma omp parallel for schedule(static)
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
       const cv::Vec3f d = lab(y, x) - ground.at(x, y);
