@@ -106,7 +106,9 @@ void addRings(const DetailMesh& detail, Bounds& bounds) {
   }
 }
 
-const void* indexOffset(std::uint32_t first) { return reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); }
+const void* indexOffset(std::uint32_t first) {
+  return reinterpret_cast<const void*>(first * sizeof(std::uint32_t));  // NOLINT: an offset, as OpenGL wants
+}
 
 }  // namespace
 
