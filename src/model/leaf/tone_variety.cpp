@@ -90,7 +90,8 @@ float toneStrength(const SmallVariants& variants, const TonePhase& phase, double
   for (size_t i = 0; i < regions.values.size(); ++i) {
     if (regions.values[i] <= 0 || regions.values[i] == regions.petiole) continue;
     const auto width = static_cast<size_t>(regions.size.width());
-    places.push_back({i, phase.at(static_cast<double>(i % width), static_cast<double>(i / width))});
+    const size_t y = i / width, x = i - y * width;
+    places.push_back({i, phase.at(static_cast<double>(x), static_cast<double>(y))});
   }
   if (places.empty() || variants.low.size() < 2) return 0;
   const size_t step = std::max<size_t>(1, places.size() / kPlaces);
