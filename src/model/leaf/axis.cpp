@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/margin_depth_private.h"
 
 namespace windfall::model {
 
@@ -99,12 +100,7 @@ std::optional<Stalk> findStalk(const cv::Mat1b& mask) {
   const double size = std::max(mask.cols, mask.rows);
   const cv::Moments m = cv::moments(mask, true);
   const cv::Point2d centre(m.m10 / m.m00, m.m01 / m.m00);
-  cv::Mat1b framed;
-  cv::Mat1f depth;
-  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::distanceTransform(framed, depth, cv::DIST_L2, 5);
-  double inner = 0;
-  cv::minMaxLoc(depth, nullptr, &inner);
+  const double inner = innerRadius(marginDepth(mask, cv::DIST_MASK_5));
   // In petiole widths from the joint: there a blade is seen to be wider, a narrow one later.
   const double behind = inner < 0.08 * size ? 5 : 2;
   std::optional<Stalk> best;

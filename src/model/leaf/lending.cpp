@@ -4,6 +4,7 @@
 
 #include "model/leaf/image_cv_private.h"
 #include "model/leaf/lending_private.h"
+#include "model/leaf/margin_depth_private.h"
 
 namespace windfall::model {
 
@@ -89,13 +90,9 @@ cv::Mat1b sureParts(const cv::Mat1b& marks, double largest) {
 cv::Mat1b foreignPixels(const cv::Mat3f& lab, const cv::Mat1b& leaf) {
   const cv::Rect box = cv::boundingRect(leaf);
   const int size = std::max(box.width, box.height);
-  cv::Mat1b framed, ground;
-  cv::copyMakeBorder(leaf, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::Mat1f depth;
-  cv::distanceTransform(framed, depth, cv::DIST_L2, 3);
-  depth = depth(cv::Rect(1, 1, leaf.cols, leaf.rows));
-  double inner = 0;
-  cv::minMaxLoc(depth, nullptr, &inner);
+  cv::Mat1b ground;
+  const cv::Mat1f depth = marginDepth(leaf, cv::DIST_MASK_3);
+  const double inner = innerRadius(depth);
   const int band = std::max(3, static_cast<int>(std::min(kBand * size, kNarrowBand * inner)));
   cv::dilate(leaf, ground, ellipse(std::max(2, band / 4)));
   const int reach = std::max(4, static_cast<int>(kAround * size));

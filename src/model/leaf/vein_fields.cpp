@@ -5,6 +5,7 @@
 #include "kernels/random.h"
 #include "model/leaf/distance.h"
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/margin_depth_private.h"
 #include "model/leaf/vein_fields_private.h"
 #include "model/leaf/vein_growth.h"
 
@@ -96,11 +97,7 @@ VeinFields veinFields(const QImage& image, const Veins& veins, QPointF root, qui
   fields.smallVein = distanceTo(
       small.empty() ? areoles(pixels.size(), std::max(3.0, kAreole * fields.unit), seed) : drawn(small, image.size()),
       fields.unit);
-  cv::Mat1b framed;
-  cv::copyMakeBorder(fields.leaf, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::Mat1f margin;
-  cv::distanceTransform(framed, margin, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  fields.margin = margin(cv::Rect(1, 1, pixels.cols, pixels.rows)) / fields.unit;
+  fields.margin = marginDepth(fields.leaf, cv::DIST_MASK_PRECISE) / fields.unit;
   fields.structural = structuralOf(fields.leaf, mainVeins, root);
   return fields;
 }

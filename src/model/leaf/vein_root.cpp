@@ -10,6 +10,7 @@
 #include <queue>
 
 #include "model/leaf/image_cv_private.h"
+#include "model/leaf/margin_depth_private.h"
 #include "model/leaf/vein_ridges_private.h"
 
 namespace windfall::model {
@@ -139,12 +140,7 @@ LeafAxis rootByVeins(const QImage& photo, const QImage& mask, const Polygon& bor
   cv::Mat1b wide;
   cv::dilate(leaf, wide, cv::Mat());
   const cv::Mat1f ways = waysFrom(toWork(axis.tip), ridges.strength, wide);
-  cv::Mat1b framed;
-  cv::Mat1f depth;
-  cv::copyMakeBorder(leaf, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::distanceTransform(framed, depth, cv::DIST_L2, 3);
-  double inner = 0;
-  cv::minMaxLoc(depth, nullptr, &inner);
+  const double inner = innerRadius(marginDepth(leaf, cv::DIST_MASK_3));
   const double reach = std::min(kReach * std::max(box.width, box.height), kNarrowReach * inner / scale);
   float least = 1e29f;
   for (const QPointF& p : border) {

@@ -154,11 +154,12 @@ void Renderer::Impl::sortLeaves(const View& view, const FrameUniforms& frame) {
   if (slot < 0) return;
   const bool high = view.quality == Quality::High;
   const float scale = view.pixelsPerRadian();
-  // A coarse view's pixels are twice as large: the same leaves turn into cards.
+  // A processor draws the few leaves that it can afford sooner than cards, which show what all leaves would.
+  const float share = view.coarse ? 0 : high ? 0.5f : 1;
   const CardSight far{frame.viewProjection,
                       view.eye,
                       scale,
-                      (high || view.coarse ? 0.5f : 1.f) * view.cardsBelow,
+                      share * view.cardsBelow,
                       view.season,
                       high,
                       software ? kSoftwarePainted : kPainted};

@@ -33,7 +33,8 @@ struct View {
   bool coarse = false;
   bool adaptive = true;     ///< trees that have an adaptive mesh are drawn with it, else with their whole mesh
   float tolerance = 0.5f;   ///< px that an adaptive mesh may be off; High halves it
-  float cardsBelow = 1.5f;  ///< px of a leaf's length below which cards stand for clusters; 0: never; High halves it
+  float cardsBelow = 1.5f;  ///< px of a leaf's length below which cards stand for clusters; 0: never, as in a coarse
+                            ///< view; High halves it
 
   /// Of half the field of view.
   float tangent() const { return std::tan(std::clamp(fieldOfView, 0.02f, 2.8f) * 0.5f); }

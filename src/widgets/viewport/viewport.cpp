@@ -219,8 +219,6 @@ void Viewport::paintGL() {
     source_->prepare(*renderer_);
     source_->describe(view);
   }
-  // A processor draws the few leaves that it can afford sooner than cards, which show what all leaves would.
-  if (view.coarse) view.cardsBelow = 0;
   const Status drawn = renderer_->draw(view, defaultFramebufferObject());
   setProblem(drawn ? QString() : QString::fromStdString(drawn.error().message));
   ++drawn_;

@@ -221,4 +221,12 @@ TEST_CASE("a live view gets its cards in the end, a few pictures in each frame")
   CHECK(frames >= 2);
   CHECK(stage.renderer->lastDraw().cardCalls == 1);
   CHECK_FALSE(stage.renderer->lastDraw().unfinished);
+  // While it is coarse it has none, and does not wait for any.
+  stage.view.coarse = true;
+  stage.draw();
+  CHECK(stage.renderer->lastDraw().cardCalls == 0);
+  CHECK_FALSE(stage.renderer->lastDraw().unfinished);
+  stage.view.coarse = false;
+  stage.draw();
+  CHECK(stage.renderer->lastDraw().cardCalls == 1);
 }
